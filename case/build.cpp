@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "case/build.hpp"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <map>
+#include <stdexcept>
+#include <utility>
+
+#include "case/rules.hpp"
+
+namespace pulvis::case_file {
+namespace {
+
+// The choices as the key table spells them, and what they are in a `Case`.
+template <typename Choice, std::size_t count>
+Choice chosen(const std::array<std::pair<const char*, Choice>, count>& choices, const std::string& text) {
+  for (const auto& [name, choice] : choices)
+    if (text == name) return choice;
+  throw std::logic_error("the choice \"" + text + "\" is declared, but means nothing");
+}
+
+constexpr std::array<std::pair<const char*, Mixing>, 5> mixing_rules{{{"geometric_mean", Mixing::geometric_mean},
+                                                                      {"arithmetic_mean", Mixing::arithmetic_mean},
+                                                                      {"harmonic_mean", Mixing::harmonic_mean},
+                                                                      {"smaller", Mixing::smaller},
+                                                                      {"larger", Mixing::larger}}};
+constexpr std::array<std::pair<const char*, SizeDistribution::Kind>, 5> size_kinds{
+    {{"single", SizeDistribution::Kind::single},
+     {"uniform", SizeDistribution::Kind::uniform},
+     {"normal", SizeDistribution::Kind::normal},
+     {"lognormal", SizeDistribution::Kind::lognormal},
+     {"table", SizeDistribution::Kind::table}}};
+constexpr std::array<std::pair<const char*, Powder::Keep>, 2> keeps{
+    {{"pull_off", Powder::Keep::pull_off}, {"sticking_speed", Powder::Keep::sticking_speed}}};
+constexpr std::array<std::pair<const char*, Region::Shape>, 2> region_shapes{
+    {{"box", Region::Shape::box}, {"cylinder", Region::Shape::cylinder}}};
+constexpr std::array<std::pair<const char*, Wall::Shape>, 3> wall_shapes{
+    {{"plane", Wall::Shape::plane}, {"box", Wall::Shape::box}, {"cylinder", Wall::Shape::cylinder}}};
+constexpr std::array<std::pair<const char*, Source::Kind>, 3> source_kinds{
+    {{"pack", Source::Kind::pack}, {"rain", Source::Kind::rain}, {"file", Source::Kind::file}}};
+constexpr std::array<std::pair<const char*, Phase::Until>, 5> criteria{{{"time", Phase::Until::time},
+                                                                        {"inserted", Phase::Until::inserted},
+                                                                        {"mass", Phase::Until::mass},
+                                                                        {"cycles", Phase::Until::cycles},
+                                                                        {"rest", Phase::Until::rest}}};
+
+// The value of a key that counts only under a condition, 0 where that does not hold.
+double number_or_zero(const Section& section, const std::string& key) {
+  return section.optional_number(key).value_or(0.0);
+}
+
+class Builder {
+ public:
+  explicit Builder(const Section& root) : root_(root) {
+    for (const auto& [table, group] : root.groups)
+      for (std::size_t i = 0; i < group.size(); ++i) indices_[table].emplace(group[i].name, i);
+  }
+
+  Case build(const std::string& name) const {
+    Case result;
+    result.title = root_.text("title");
+    result.seed = static_cast<std::uint64_t>(root_.integer("seed"));
+    result.gravity = root_.table("gravity").vector("acceleration");
+    result.domain = domain(root_.table("domain"));
+    result.mixing = chosen(mixing_rules, root_.table("mixing").text("rule"));
+    for (const Section& section : root_.group("materials")) result.materials.push_back(material(section));
+    for (const Section& section : root_.group("pairs")) result.pairs.push_back(pair(section));
+    for (const Section& section : root_.group("powders")) result.powders.push_back(powder(section));
+    result.contact = contact(root_.table("contact"));
+    for (const Section& section : root_.group("walls")) result.walls.push_back(wall(section));
+    for (const Section& section : root_.group("motions")) result.motions.push_back(motion(section));
+    for (const Section& section : root_.group("sources")) result.sources.push_back(source(section, name));
+    for (const Section& section : root_.group("phases")) result.phases.push_back(phase(section));
+    result.time = time(root_.table("time"));
+    result.measures = measures(root_.table("measures"));
+    result.output = output(root_.table("output"));
+    return result;
+  }
+
+ private:
+  std::size_t index(const std::string& table, const std::string& name) const { return indices_.at(table).at(name); }
+
+  std::optional<std::size_t> optional_index(const std::string& table, const Section& section, const std::string& key) const {
+    const std::string* name = section.optional_text(key);
+    return name != nullptr ? std::optional(index(table, *name)) : std::nullopt;
+  }
+
+  std::vector<std::size_t> indices(const std::string& table, const std::vector<std::string>& names) const {
+    std::vector<std::size_t> result;
+    for (const std::string& name : names) result.push_back(index(table, name));
+    return result;
+  }
+
+  static Domain domain(const Section& section) {
+    Domain result;
+    result.min = section.vector("min");
+    result.max = section.vector("max");
+    for (const std::string& axis : section.texts("periodic")) result.periodic[axis.front() - 'x'] = true;
+    result.escape_is_error = section.text("escape") == "error";
+    return result;
+  }
+
+  static Material material(const Section& section) {
+    Material result;
+    result.name = section.name;
+    result.density = section.number("density");
+    result.young_modulus = section.number("young_modulus");
+    result.poisson_ratio = section.number("poisson_ratio");
+    result.surface_energy = section.number("surface_energy");
+    result.restitution = section.number("restitution");
+    result.friction = section.number("friction");
+    result.rolling_friction = section.number("rolling_friction");
+    return result;
+  }
+
+  PairOverride pair(const Section& section) const {
+    PairOverride result;
+    result.first = index("materials", section.texts("materials")[0]);
+    result.second = index("materials", section.texts("materials")[1]);
+    result.restitution = section.optional_number("restitution");
+    result.friction = section.optional_number("friction");
+    result.rolling_friction = section.optional_number("rolling_friction");
+    result.work_of_adhesion = section.optional_number("work_of_adhesion");
+    return result;
+  }
+
+  static SizeDistribution size(const Section& section) {
+    SizeDistribution result;
+    result.kind = chosen(size_kinds, section.text("kind"));
+    result.diameter = number_or_zero(section, "diameter");
+    result.standard_deviation = number_or_zero(section, "standard_deviation");
+    result.geometric_deviation = section.optional_number("geometric_deviation").value_or(1.0);
+    result.smallest = number_or_zero(section, "smallest");
+    result.largest = number_or_zero(section, "largest");
+    if (result.kind == SizeDistribution::Kind::single) result.smallest = result.largest = result.diameter;
+    if (result.kind == SizeDistribution::Kind::table) {
+      result.diameters = section.numbers("diameters");
+      result.shares = section.numbers("shares");
+      result.by_mass = section.text("by") == "mass";
+      result.smallest = result.diameters.front();
+      result.largest = result.diameters.back();
+    }
+    return result;
+  }
+
+  Powder powder(const Section& section) const {
+    Powder result;
+    result.name = section.name;
+    result.material = index("materials", section.text("material"));
+    result.size = size(section.table("size"));
+    result.coarse_graining = section.number("coarse_graining");
+    result.simulated_modulus = section.optional_number("simulated_modulus");
+    result.keep = chosen(keeps, section.text("keep"));
+    return result;
+  }
+
+  static ContactChoice contact(const Section& section) {
+    return {section.text("normal"),  section.text("damping"),        section.text("sliding"),
+            section.text("rolling"), section.text("friction_limit"), section.text("damping_radius")};
+  }
+
+  // Of a region table or of a wall, which holds the same keys.
+  static Region region(const Section& section) {
+    Region result;
+    result.shape = chosen(region_shapes, section.text("shape"));
+    if (result.shape == Region::Shape::box) {
+      result.min = section.vector("min");
+      result.max = section.vector("max");
+    } else {
+      result.base = section.vector("base");
+      result.axis = section.unit_vector("axis");
+      result.radius = section.number("radius");
+      result.height = section.number("height");
+    }
+    return result;
+  }
+
+  Wall wall(const Section& section) const {
+    Wall result;
+    result.name = section.name;
+    result.shape = chosen(wall_shapes, section.text("shape"));
+    result.material = index("materials", section.text("material"));
+    result.motion = optional_index("motions", section, "motion");
+    if (result.shape == Wall::Shape::plane) {
+      result.point = section.vector("point");
+      result.normal = section.unit_vector("normal");
+    } else {
+      result.region = region(section);
+      result.open = section.texts("open");
+    }
+    return result;
+  }
+
+  static Motion motion(const Section& section) {
+    constexpr double two_pi = 6.283185307179586476925;
+    Motion result;
+    result.name = section.name;
+    result.kind = section.text("kind");
+    result.frequency = section.number("frequency");
+    result.phase = section.number("phase");
+    result.direction = section.unit_vector("direction");
+    const double angular = two_pi * result.frequency;
+    const auto acceleration = section.optional_number("peak_acceleration");
+    result.amplitude = acceleration ? *acceleration / (angular * angular) : section.number("amplitude");
+    return result;
+  }
+
+  Source source(const Section& section, const std::string& name) const {
+    Source result;
+    result.name = section.name;
+    result.kind = chosen(source_kinds, section.text("kind"));
+    // Without the key there is only one powder; the rules saw to that.
+    result.powder = optional_index("powders", section, "powder").value_or(0);
+    if (result.kind == Source::Kind::file) {
+      const std::filesystem::path folder = std::filesystem::absolute(name).parent_path();
+      result.path = (folder / section.text("path")).lexically_normal().string();
+      return result;
+    }
+    result.region = region(section.table("region"));
+    result.velocity = section.vector("velocity");
+    result.target.mass = section.optional_number("mass");
+    if (section.find("count") != nullptr) result.target.count = static_cast<std::uint64_t>(section.integer("count"));
+    result.mass_rate = number_or_zero(section, "mass_rate");
+    return result;
+  }
+
+  Phase phase(const Section& section) const {
+    Phase result;
+    result.name = section.text("name");
+    result.sources = indices("sources", section.texts("sources"));
+    result.motions = indices("motions", section.texts("motions"));
+    result.until = chosen(criteria, section.text("until"));
+    result.duration = number_or_zero(section, "duration");
+    result.mass = number_or_zero(section, "mass");
+    result.cycles = number_or_zero(section, "cycles");
+    result.kinetic_energy = section.optional_number("kinetic_energy");
+    result.at_least = number_or_zero(section, "at_least");
+    result.time_limit = number_or_zero(section, "time_limit");
+    const std::string* at_limit = section.optional_text("at_limit");
+    result.limit_is_error = at_limit != nullptr && *at_limit == "error";
+    return result;
+  }
+
+  static TimeChoice time(const Section& section) {
+    TimeChoice result;
+    result.fraction = section.optional_number("fraction").value_or(result.fraction);
+    result.step = section.optional_number("step");
+    result.characteristic_speed = section.optional_number("characteristic_speed");
+    return result;
+  }
+
+  MeasureChoice measures(const Section& section) const {
+    MeasureChoice result;
+    result.die = optional_index("walls", section, "die");
+    if (section.table("region").given) result.region = region(section.table("region"));
+    const std::vector<std::size_t> inside = walls_with_inside(root_);
+    if (!result.die && !result.region && inside.size() == 1) result.die = inside.front();
+    result.cell_diameters = section.number("cell_diameters");
+    result.column_diameters = section.number("column_diameters");
+    return result;
+  }
+
+  static OutputChoice output(const Section& section) {
+    return {section.number("interval"), section.number("log_interval"), section.flag("picture")};
+  }
+
+  const Section& root_;
+  std::map<std::string, std::map<std::string, std::size_t>> indices_;
+};
+
+}  // namespace
+
+Case build_case(const Section& root, const std::string& name) { return Builder(root).build(name); }
+
+}  // namespace pulvis::case_file

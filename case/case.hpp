@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/math/region.hpp"
+#include "engine/math/vec3.hpp"
+
+// What a case file says, in SI units and checked: every number is in its range, every name refers to
+// something that exists. `read_case` (reader.hpp) makes it; nothing below this line knows of TOML.
+namespace pulvis {
+
+/// Material of a powder or a wall. `*_coefficient` values are those against itself; see `Mixing`.
+struct Material {
+  std::string name;
+  double density = 0.0;          ///< kg/m^3
+  double young_modulus = 0.0;    ///< Pa
+  double poisson_ratio = 0.0;    ///< -
+  double surface_energy = 0.0;   ///< gamma of one surface, J/m^2
+  double restitution = 0.0;      ///< coefficient of restitution, -
+  double friction = 0.0;         ///< Coulomb coefficient, -
+  double rolling_friction = 0.0; ///< -
+};
+
+/// How the coefficients of two materials make that of the pair, where no pair states its own.
+enum class Mixing { geometric_mean, arithmetic_mean, harmonic_mean, smaller, larger };
+
+/// What a pair of materials states for itself, instead of the mixing rule.
+struct PairOverride {
+  std::size_t first = 0, second = 0;  ///< indices into Case::materials
+  std::optional<double> restitution, friction, rolling_friction;
+  std::optional<double> work_of_adhesion;  ///< W, J/m^2
+};
+
+/// Distribution of grain diameters (of the real powder, before coarse graining).
+struct SizeDistribution {
+  enum class Kind { single, uniform, normal, lognormal, table };
+  Kind kind = Kind::single;
+  double diameter = 0.0;            ///< m; single: the diameter; normal: mean; lognormal: median (by number)
+  double standard_deviation = 0.0;  ///< m; normal
+  double geometric_deviation = 1.0; ///< -; lognormal: exp(sigma of ln d)
+  double smallest = 0.0;            ///< m; cut-off; uniform: lower end; single: the diameter
+  double largest = 0.0;             ///< m; cut-off; uniform: upper end; single: the diameter
+  bool by_mass = false;             ///< table: shares are mass fractions, not number fractions
+  std::vector<double> diameters;    ///< m; table, ascending
+  std::vector<double> shares;       ///< -; table, same length, positive, any sum
+};
+
+/// A powder: a material, a size distribution, and how it is represented.
+struct Powder {
+  enum class Keep { pull_off, sticking_speed };
+  std::string name;
+  std::size_t material = 0;               ///< index into Case::materials
+  SizeDistribution size;                  ///< of the real grains
+  double coarse_graining = 1.0;           ///< alpha = parcel diameter / grain diameter, >= 1
+  std::optional<double> simulated_modulus;  ///< Pa; softening: replaces Young's modulus of its material
+  Keep keep = Keep::pull_off;             ///< which cohesion the softened powder preserves
+};
+
+/// Names of the contact law's parts and its named choices. Text is as in the catalogue of laws.
+struct ContactChoice {
+  std::string normal = "hertz";              ///< hertz | jkr
+  std::string damping = "restitution";       ///< restitution (Tsuji) | none
+  std::string sliding = "total_spring";      ///< total_spring | none
+  std::string rolling = "none";              ///< elastic_plastic (EPSD2) | none
+  std::string friction_limit = "elastic";    ///< elastic | total
+  std::string damping_radius = "hertz";      ///< hertz | jkr_radius
+};
+
+/// A wall: a plane, a box with some faces open, or a cylinder with some ends open.
+struct Wall {
+  enum class Shape { plane, box, cylinder };
+  std::string name;
+  Shape shape = Shape::plane;
+  std::size_t material = 0;  ///< index into Case::materials
+  Vec3 point, normal{0, 0, 1};      ///< m, unit vector; plane
+  Region region;                    ///< box or cylinder
+  std::vector<std::string> open;    ///< box: any of -x +x -y +y -z +z; cylinder: any of base, top
+  std::optional<std::size_t> motion;  ///< index into Case::motions; none: at rest
+};
+
+/// A motion a wall can make: displacement amplitude*(sin(2 pi f t + phase) - sin(phase)) along `direction`,
+/// t counted from the start of each phase that runs it.
+struct Motion {
+  std::string name;
+  std::string kind = "sine";
+  double amplitude = 0.0;   ///< m (derived, if the case gives the peak acceleration)
+  double frequency = 0.0;   ///< Hz
+  double phase = 0.0;       ///< cycles
+  Vec3 direction{0, 0, 1};  ///< unit vector
+};
+
+/// How much a source gives: a count or a mass, exactly one of them.
+struct Target {
+  std::optional<std::uint64_t> count;
+  std::optional<double> mass;  ///< kg
+};
+
+/// Where parcels come from.
+struct Source {
+  enum class Kind { pack, rain, file };
+  std::string name;
+  Kind kind = Kind::pack;
+  std::size_t powder = 0;  ///< index into Case::powders
+  Region region;           ///< pack: where centres and whole spheres lie; rain: the box they appear in
+  Target target;           ///< pack, rain
+  double mass_rate = 0.0;  ///< kg/s; rain
+  Vec3 velocity;           ///< m/s at insertion; pack, rain
+  std::string path;        ///< file: a LIGGGHTS/LAMMPS text dump; relative to the case file, made absolute
+};
+
+/// One phase of the procedure.
+struct Phase {
+  enum class Until { time, inserted, mass, cycles, rest };
+  std::string name;
+  std::vector<std::size_t> sources;  ///< indices into Case::sources that are open in this phase
+  std::vector<std::size_t> motions;  ///< indices into Case::motions that run in this phase
+  Until until = Until::time;
+  double duration = 0.0;        ///< s; until = time
+  double mass = 0.0;            ///< kg in the measured region; until = mass
+  double cycles = 0.0;          ///< -; until = cycles, of the first motion
+  std::optional<double> kinetic_energy;  ///< J per parcel; until = rest; default: 1e-4 of m g d of the d50 parcel
+  double at_least = 0.0;        ///< s; the criterion is not asked before
+  double time_limit = 0.0;      ///< s; required unless until is time or cycles
+  bool limit_is_error = false;  ///< reaching the limit stops the run (exit 5) instead of ending the phase
+};
+
+struct Domain {
+  Vec3 min, max;                   ///< m
+  bool periodic[3] = {false, false, false};
+  bool escape_is_error = true;     ///< a parcel that leaves the domain or passes a wall stops the run
+};
+
+struct TimeChoice {
+  double fraction = 0.2;                        ///< of the smallest limit
+  std::optional<double> step;                   ///< s; fixed by the case
+  std::optional<double> characteristic_speed;   ///< m/s, for the Hertz limit; default: estimated from the case
+};
+
+struct MeasureChoice {
+  std::optional<std::size_t> die;   ///< index into Case::walls: the box or cylinder whose inside is measured
+  std::optional<Region> region;     ///< instead of a die
+  double cell_diameters = 3.0;      ///< edge of a porosity cell in mean parcel diameters
+  double column_diameters = 2.0;    ///< edge of a free-surface column in mean parcel diameters
+};
+
+struct OutputChoice {
+  double interval = 0.0;      ///< s between frames for ParaView; 0: only at the end of phases
+  double log_interval = 0.0;  ///< s between lines of log.csv; 0: a hundredth of the longest phase limit
+  bool picture = true;
+};
+
+struct Case {
+  std::string title;
+  std::string file;     ///< as given
+  std::string text;     ///< the file's text, for the run folder
+  Vec3 gravity{0, 0, -9.81};  ///< m/s^2
+  Domain domain;
+  Mixing mixing = Mixing::geometric_mean;
+  std::vector<Material> materials;
+  std::vector<PairOverride> pairs;
+  std::vector<Powder> powders;
+  ContactChoice contact;
+  std::vector<Wall> walls;
+  std::vector<Motion> motions;
+  std::vector<Source> sources;
+  std::vector<Phase> phases;
+  TimeChoice time;
+  MeasureChoice measures;
+  OutputChoice output;
+  std::uint64_t seed = 1;
+};
+
+}  // namespace pulvis

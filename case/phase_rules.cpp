@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "case/rules.hpp"
+
+namespace pulvis::case_file {
+namespace {
+
+void names_once(const Section& root, ProblemList& problems) {
+  std::set<std::string> seen;
+  for (const Section& phase : root.group("phases")) {
+    const Setting* name = phase.find("name");
+    if (name == nullptr) continue;
+    const std::string& text = name->texts.front();
+    const auto plain = [](unsigned char c) {
+      return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
+    };
+    // It stands in paths of --set and in the results.
+    if (text.empty() || text.size() > 64 || !std::all_of(text.begin(), text.end(), plain))
+      problems.add(name->place, name->path + " is no name", "expected at most 64 letters a to z, digits, _ or -");
+    if (!seen.insert(text).second)
+      problems.add(name->place, fmt::format("{}: there is a phase \"{}\" before", name->path, text),
+                   "each phase has a name of its own");
+  }
+}
+
+void has_what_it_waits_for(const Section& phase, const Section& root, ProblemList& problems) {
+  const Setting* until = phase.find("until");
+  if (until == nullptr) return;
+  const std::string& criterion = until->texts.front();
+  const Setting *sources = phase.find("sources"), *motions = phase.find("motions");
+  if (criterion == "inserted" && sources != nullptr && sources->texts.empty())
+    problems.add(until->place, phase.path + " waits for its sources and has none", "expected e.g. sources = [\"rain\"]");
+  if (criterion == "cycles" && motions != nullptr && motions->texts.empty())
+    problems.add(until->place, phase.path + " waits for cycles and has no motion", "expected e.g. motions = [\"shaking\"]");
+  const Section& measures = root.table("measures");
+  const bool measured = measures.settings.contains("die") || measures.table("region").given ||
+                        !walls_with_inside(root).empty();
+  if (criterion == "mass" && !measured)
+    problems.add(until->place, phase.path + " waits for a mass, and nothing says where it is measured",
+                 "expected [measures] with die or region");
+}
+
+void in_time(const Section& phase, ProblemList& problems) {
+  const Setting *at_least = phase.find("at_least"), *limit = phase.find("time_limit");
+  if (at_least == nullptr || limit == nullptr || !at_least->given || at_least->numbers[0] < limit->numbers[0]) return;
+  problems.add(at_least->place,
+               fmt::format("{} is not below {}: {}", at_least->path, limit->path,
+                           format_quantity(at_least->numbers[0], dimension::time)),
+               "expected less than " + format_quantity(limit->numbers[0], dimension::time));
+}
+
+// A source that no phase opens would be left out without a word.
+void sources_are_opened(const Section& root, ProblemList& problems) {
+  std::set<std::string> opened;
+  for (const Section& phase : root.group("phases")) {
+    if (phase.settings.contains("sources") && phase.find("sources") == nullptr) return;  // wrong; reported there
+    if (const Setting* sources = phase.find("sources")) opened.insert(sources->texts.begin(), sources->texts.end());
+  }
+  if (root.group("phases").empty()) return;
+  for (const Section& source : root.group("sources"))
+    if (!opened.contains(source.name))
+      problems.add(source.place, source.path + " is opened by no phase",
+                   fmt::format("expected it in the sources of a phase: sources = [\"{}\"]", source.name));
+}
+
+// A wall that is to move does so only in phases that run its motion.
+void motions_are_used(const Section& root, ProblemList& problems) {
+  std::set<std::string> moving;
+  for (const Section& wall : root.group("walls"))
+    if (const std::string* motion = wall.optional_text("motion")) moving.insert(*motion);
+  for (const Section& phase : root.group("phases")) {
+    const Setting* motions = phase.find("motions");
+    if (motions == nullptr) continue;
+    for (std::size_t i = 0; i < motions->texts.size(); ++i)
+      if (!moving.contains(motions->texts[i]))
+        problems.add(motions->item_places[i], fmt::format("{}: no wall has the motion \"{}\"", motions->path, motions->texts[i]),
+                     fmt::format("expected motion = \"{}\" in a wall", motions->texts[i]));
+  }
+}
+
+}  // namespace
+
+void check_phase_rules(const Section& root, ProblemList& problems) {
+  names_once(root, problems);
+  for (const Section& phase : root.group("phases")) {
+    has_what_it_waits_for(phase, root, problems);
+    in_time(phase, problems);
+  }
+  sources_are_opened(root, problems);
+  motions_are_used(root, problems);
+}
+
+}  // namespace pulvis::case_file

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "case/reader.hpp"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <utility>
+
+#include "case/build.hpp"
+#include "case/checker.hpp"
+#include "case/rules.hpp"
+#include "case/toml_source.hpp"
+
+namespace pulvis {
+namespace {
+
+using namespace case_file;
+
+// Text to checked sections; throws with all problems found on the way.
+Section checked_sections(const std::string& text, const std::string& name, const std::vector<Override>& overrides,
+                         ProblemList& problems) {
+  auto parsed = parse_toml(text);
+  if (const SyntaxError* error = std::get_if<SyntaxError>(&parsed)) {
+    problems.add(error->place, error->message, error->expected);
+    problems.throw_if_any();
+  }
+  Value& root = std::get<Value>(parsed);
+  apply_overrides(overrides, root, problems);
+  Section section = check_keys(root, problems);
+  check_rules(section, problems);
+  problems.throw_if_any();
+  return section;
+}
+
+std::string text_of_file(const std::string& path) {
+  const auto unreadable = [&](const std::string& why) {
+    return Failure(Exit::bad_input, fmt::format("{}: cannot read the case file: {}", path, why));
+  };
+  // A folder opens like a file, and reading a device may never end.
+  std::error_code error;
+  const auto status = std::filesystem::status(path, error);
+  if (!std::filesystem::exists(status)) throw unreadable("there is no such file");
+  if (std::filesystem::is_directory(status)) throw unreadable("it is a folder");
+  errno = 0;
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw unreadable(std::strerror(errno));
+  // One byte beyond the limit is enough for the guard of the parser to refuse it.
+  constexpr std::size_t most = (4u << 20) + 1;
+  std::string text(most, '\0');
+  file.read(text.data(), static_cast<std::streamsize>(most));
+  if (file.bad()) throw unreadable(std::strerror(errno));
+  text.resize(static_cast<std::size_t>(file.gcount()));
+  return text;
+}
+
+}  // namespace
+
+Case read_case_text(const std::string& text, const std::string& name, const std::vector<Override>& overrides) {
+  ProblemList problems(name, text);
+  Case result = build_case(checked_sections(text, name, overrides, problems), name);
+  result.file = name;
+  result.text = text;
+  return result;
+}
+
+Case read_case(const std::string& path, const std::vector<Override>& overrides) {
+  return read_case_text(text_of_file(path), path, overrides);
+}
+
+std::vector<ResolvedKey> resolved(const std::string& text, const std::string& name,
+                                  const std::vector<Override>& overrides) {
+  ProblemList problems(name, text);
+  const Section root = checked_sections(text, name, overrides, problems);
+  std::vector<const Setting*> settings;
+  list_settings(root, settings);
+  std::vector<ResolvedKey> result;
+  for (const Setting* setting : settings)
+    result.push_back({setting->path, setting->written, setting->given ? problems.describe(setting->place) : "default"});
+  return result;
+}
+
+}  // namespace pulvis

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <string>
+#include <vector>
+
+#include "case/case.hpp"
+#include "case/overrides.hpp"
+#include "case/problems.hpp"
+
+namespace pulvis {
+
+/// Reads and checks a case file, with the overrides put in. Throws CaseError with all problems of the
+/// case, Failure(Exit::bad_input) if the file cannot be read.
+Case read_case(const std::string& path, const std::vector<Override>& overrides = {});
+
+/// The same for a text; `name` stands for the file in messages, and paths in the case are seen from it.
+Case read_case_text(const std::string& text, const std::string& name, const std::vector<Override>& overrides = {});
+
+/// A key of a case with its value and where that comes from.
+struct ResolvedKey {
+  std::string key;     ///< "materials.steel.density"
+  std::string value;   ///< as written in TOML
+  std::string origin;  ///< "die.toml:14", "default" or "--set materials.steel.density"
+};
+
+/// Every key of a case that has a value, for run.json. Throws as read_case_text does.
+std::vector<ResolvedKey> resolved(const std::string& text, const std::string& name,
+                                  const std::vector<Override>& overrides = {});
+
+/// What a key means: kind, default, range, when it counts; of a table, its keys too. The key may be
+/// written as in the reference ("materials.*.density"), as in a case ("materials.steel.density") or by
+/// its last part. Throws Failure(Exit::usage) with the nearest key for one that does not exist.
+std::string explain(const std::string& key);
+
+/// The reference page of all keys, in Markdown.
+std::string keys_reference_markdown();
+
+/// A JSON Schema (2020-12) of case files, for editors.
+std::string json_schema();
+
+}  // namespace pulvis

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "case/rules.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+namespace pulvis::case_file {
+namespace {
+
+constexpr const char* axis_names = "xyz";
+
+std::string length_text(double value) { return format_quantity(value, dimension::length, 6); }
+
+// Corners of a box in order, each axis by itself.
+void corners_in_order(const Section& section, ProblemList& problems) {
+  const Setting* min = section.find("min");
+  const Setting* max = section.find("max");
+  if (min == nullptr || max == nullptr) return;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (min->numbers[axis] < max->numbers[axis]) continue;
+    problems.add(max->item_places[axis],
+                 fmt::format("{} is not above {}.min along {}: {} and {}", max->path, section.path, axis_names[axis],
+                             length_text(max->numbers[axis]), length_text(min->numbers[axis])),
+                 "expected min < max along each axis");
+  }
+}
+
+bool is_shape(const Section& section, const std::string& shape) {
+  const std::string* text = section.optional_text("shape");
+  return text != nullptr && *text == shape;
+}
+
+// What appears outside the domain would be lost at once.
+void inside_domain(const Section& region, const Section& domain, ProblemList& problems) {
+  const Setting *low = domain.find("min"), *high = domain.find("max");
+  const Setting *min = region.find("min"), *max = region.find("max");
+  if (!is_shape(region, "box") || low == nullptr || high == nullptr || min == nullptr || max == nullptr) return;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const bool below = min->numbers[axis] < low->numbers[axis];
+    if (!below && max->numbers[axis] <= high->numbers[axis]) continue;
+    const Setting& wrong = below ? *min : *max;
+    const Setting& bound = below ? *low : *high;
+    problems.add(wrong.item_places[axis],
+                 fmt::format("{} lies outside the domain along {}: {}", wrong.path, axis_names[axis],
+                             length_text(wrong.numbers[axis])),
+                 fmt::format("expected {} {} ({})", below ? "at least" : "at most", length_text(bound.numbers[axis]),
+                             bound.path));
+  }
+}
+
+void pairs_once(const Section& root, ProblemList& problems) {
+  std::set<std::pair<std::string, std::string>> seen;
+  for (const Section& pair : root.group("pairs")) {
+    const Setting* materials = pair.find("materials");
+    if (materials == nullptr) continue;
+    auto names = std::pair(materials->texts[0], materials->texts[1]);
+    if (names.first > names.second) std::swap(names.first, names.second);
+    if (seen.insert(names).second) continue;
+    problems.add(materials->place, fmt::format("{} names a pair for the second time", materials->path),
+                 "each pair of materials stands in one [[pairs]]");
+  }
+}
+
+void not_below(const Section& section, const std::string& small, const std::string& large, ProblemList& problems) {
+  const Setting *low = section.find(small), *high = section.find(large);
+  if (low == nullptr || high == nullptr || low->numbers[0] < high->numbers[0]) return;
+  problems.add(section.place_of(large),
+               fmt::format("{} is not above {}: {} and {}", high->path, low->path, length_text(high->numbers[0]),
+                           length_text(low->numbers[0])),
+               fmt::format("expected {} < {}", small, large));
+}
+
+void sizes(const Section& powder, ProblemList& problems) {
+  const Section& size = powder.table("size");
+  not_below(size, "smallest", "largest", problems);
+  const Setting *diameters = size.find("diameters"), *shares = size.find("shares");
+  if (diameters != nullptr) {
+    for (std::size_t i = 1; i < diameters->numbers.size(); ++i) {
+      if (diameters->numbers[i - 1] < diameters->numbers[i]) continue;
+      problems.add(diameters->item_places[i],
+                   diameters->path + " is not ascending", "expected each diameter above the one before");
+      break;
+    }
+  }
+  if (diameters != nullptr && shares != nullptr && diameters->numbers.size() != shares->numbers.size())
+    problems.add(shares->place,
+                 fmt::format("{} has {} elements, and {} diameters", shares->path, shares->numbers.size(),
+                             diameters->numbers.size()),
+                 "expected one share for each diameter");
+  // Cut-offs that leave nothing of the distribution would make the draw of a size endless.
+  const Setting *middle = size.find("diameter"), *low = size.find("smallest"), *high = size.find("largest");
+  if (middle == nullptr || low == nullptr || high == nullptr || low->numbers[0] >= high->numbers[0]) return;
+  if (middle->numbers[0] >= low->numbers[0] && middle->numbers[0] <= high->numbers[0]) return;
+  problems.add(middle->place, fmt::format("{} is not between the cut-offs: {}", middle->path, length_text(middle->numbers[0])),
+               fmt::format("expected {} to {}", length_text(low->numbers[0]), length_text(high->numbers[0])));
+}
+
+// The table lists the sides of all shapes; each shape has its own.
+void open_sides(const Section& wall, ProblemList& problems) {
+  const Setting* open = wall.find("open");
+  const std::string* shape = wall.optional_text("shape");
+  if (open == nullptr || shape == nullptr || !open->given) return;
+  for (std::size_t i = 0; i < open->texts.size(); ++i) {
+    const bool of_cylinder = open->texts[i] == "base" || open->texts[i] == "top";
+    if (of_cylinder == (*shape == "cylinder")) continue;
+    problems.add(open->item_places[i], fmt::format("{}: a {} has no side \"{}\"", open->path, *shape, open->texts[i]),
+                 *shape == "cylinder" ? "expected \"base\" or \"top\""
+                                      : "expected \"-x\", \"+x\", \"-y\", \"+y\", \"-z\" or \"+z\"");
+  }
+}
+
+void what_is_measured(const Section& root, ProblemList& problems) {
+  const Section& measures = root.table("measures");
+  corners_in_order(measures.table("region"), problems);
+  const std::vector<std::size_t> inside = walls_with_inside(root);
+  const auto& walls = root.group("walls");
+  if (const Setting* die = measures.find("die")) {
+    const auto wall = index_of(walls, die->texts.front());
+    if (wall && is_shape(walls[*wall], "plane"))
+      problems.add(die->place, fmt::format("{}: \"{}\" is a plane and has no inside", die->path, die->texts.front()),
+                   "expected a wall whose shape is \"box\" or \"cylinder\"");
+    return;
+  }
+  const bool wrong = measures.settings.contains("die");  // given, and reported elsewhere
+  if (wrong || measures.table("region").given || inside.size() < 2) return;
+  std::vector<std::string> names;
+  for (const std::size_t wall : inside) names.push_back(walls[wall].name);
+  problems.add(measures.place, "measures.die is missing: more than one wall has an inside",
+               "expected die = " + enumerate(names));
+}
+
+void which_powder(const Section& root, ProblemList& problems) {
+  const auto& powders = root.group("powders");
+  if (powders.size() < 2) return;
+  for (const Section& source : root.group("sources")) {
+    if (source.settings.contains("powder")) continue;
+    std::vector<std::string> names;
+    for (const Section& powder : powders) names.push_back(powder.name);
+    problems.add(source.place, source.path + ".powder is missing: there is more than one powder",
+                 "expected powder = " + enumerate(names));
+  }
+}
+
+}  // namespace
+
+std::vector<std::size_t> walls_with_inside(const Section& root) {
+  std::vector<std::size_t> result;
+  const auto& walls = root.group("walls");
+  for (std::size_t i = 0; i < walls.size(); ++i)
+    if (is_shape(walls[i], "box") || is_shape(walls[i], "cylinder")) result.push_back(i);
+  return result;
+}
+
+void check_rules(const Section& root, ProblemList& problems) {
+  corners_in_order(root.table("domain"), problems);
+  pairs_once(root, problems);
+  for (const Section& powder : root.group("powders")) sizes(powder, problems);
+  for (const Section& wall : root.group("walls")) {
+    corners_in_order(wall, problems);
+    open_sides(wall, problems);
+  }
+  for (const Section& source : root.group("sources")) {
+    const Section& region = source.table("region");
+    corners_in_order(region, problems);
+    inside_domain(region, root.table("domain"), problems);
+    const std::string* kind = source.optional_text("kind");
+    if (kind != nullptr && *kind == "rain" && is_shape(region, "cylinder"))
+      problems.add(region.place_of("shape"), region.path + ".shape: rain falls out of a box", "expected \"box\"");
+  }
+  which_powder(root, problems);
+  what_is_measured(root, problems);
+  check_phase_rules(root, problems);
+}
+
+}  // namespace pulvis::case_file

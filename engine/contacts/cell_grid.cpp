@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/contacts/cell_grid.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pulvis {
+
+void CellGrid::lay_out(const Box& box, double edge, std::size_t count) {
+  // A mostly empty box needs no more cells than a few per point.
+  const Vec3 extent = box.extent();
+  const double most = 4.0 * static_cast<double>(count) + 4096.0;
+  const double volume = extent.x * extent.y * extent.z;
+  edge = std::max(edge, std::cbrt(volume / most));
+  origin_ = box.min;
+  for (int axis = 0; axis < 3; ++axis) {
+    cells_[axis] = std::max(1, static_cast<int>(std::min(extent[axis] / edge, 1e6)));
+    inverse_edge_[axis] = cells_[axis] / extent[axis];
+    periodic_[axis] = box.periodic[axis];
+  }
+}
+
+std::size_t CellGrid::cell(const Vec3& p) const {
+  std::size_t index[3];
+  for (int axis = 0; axis < 3; ++axis) {
+    const int k = static_cast<int>((p[axis] - origin_[axis]) * inverse_edge_[axis]);
+    index[axis] = static_cast<std::size_t>(std::clamp(k, 0, cells_[axis] - 1));
+  }
+  return (index[2] * ny() + index[1]) * nx() + index[0];
+}
+
+void CellGrid::sort_into_cells(std::size_t count) {
+  const std::size_t cell_count = nx() * ny() * static_cast<std::size_t>(cells_[2]);
+  begin_.assign(cell_count + 1, 0);
+  for (std::size_t k = 0; k < count; ++k) ++begin_[cell_of_[k] + 1];
+  for (std::size_t c = 0; c < cell_count; ++c) begin_[c + 1] += begin_[c];
+  order_.resize(count);
+  std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
+  for (std::size_t k = 0; k < count; ++k) order_[next[cell_of_[k]]++] = static_cast<std::uint32_t>(k);
+}
+
+}  // namespace pulvis

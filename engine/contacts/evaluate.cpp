@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/contacts/evaluate.hpp"
+
+#include <algorithm>
+
+#include "engine/base/parallel.hpp"
+
+namespace pulvis {
+namespace {
+
+using kernels::ContactBlock;
+using kernels::Lanes3;
+
+inline void put(Lanes3& lanes, int k, const Vec3& v) {
+  lanes.x[k] = v.x;
+  lanes.y[k] = v.y;
+  lanes.z[k] = v.z;
+}
+inline Vec3 get(const Lanes3& lanes, int k) { return {lanes.x[k], lanes.y[k], lanes.z[k]}; }
+
+inline void stage_history(ContactBlock& b, int k, std::uint32_t slot, bool touching, const laws::History& history) {
+  b.slot[k] = slot;
+  b.touching[k] = touching ? 1.0 : 0.0;
+  put(b.slide, k, history.slide);
+  put(b.roll, k, history.roll);
+}
+
+void finish_pairs(ContactBlock& b, const ContactClass& contact, NearPairs& near, double dt) {
+  contact.kernel.parcels(b, contact.constants.data(), dt);
+  for (int k = 0; k < b.count; ++k) {
+    const std::uint32_t slot = b.slot[k];
+    near.touching[slot] = b.touching[k] > 0.5;
+    near.history[slot] = {get(b.slide, k), get(b.roll, k)};
+    near.load[slot] = {get(b.force, k), get(b.torque_first, k), get(b.torque_second, k)};
+  }
+  b.count = 0;
+}
+
+void finish_walls(ContactBlock& b, const ContactClass& contact, NearWalls& near, double dt) {
+  contact.kernel.walls(b, contact.constants.data(), dt);
+  for (int k = 0; k < b.count; ++k) {
+    const std::uint32_t slot = b.slot[k];
+    near.touching[slot] = b.touching[k] > 0.5;
+    near.history[slot] = {get(b.slide, k), get(b.roll, k)};
+    near.load[slot] = {get(b.force, k), get(b.torque_first, k)};
+  }
+  b.count = 0;
+}
+
+inline void stage_pair(ContactBlock& b, std::uint32_t slot, const Parcel& p, const Parcel& q, const Vec3& offset,
+                       const NearPairs& near) {
+  const int k = b.count++;
+  stage_history(b, k, slot, near.touching[slot] != 0, near.history[slot]);
+  put(b.offset, k, offset);
+  put(b.velocity, k, p.velocity - q.velocity);
+  put(b.spin_first, k, p.spin);
+  put(b.spin_second, k, q.spin);
+  b.radius_first[k] = p.radius;
+  b.radius_second[k] = q.radius;
+  b.mass_first[k] = p.mass;
+  b.mass_second[k] = q.mass;
+}
+
+/// A parcel at one surface, at the end of a step.
+struct WallSight {
+  NearestPoint nearest;  ///< in the frame of the body
+  Vec3 offset;           ///< from the parcel's centre to the nearest point, m
+  double distance;       ///< m
+};
+
+WallSight look(const Surface& surface, const Vec3& centre_in_body) {
+  const NearestPoint nearest = nearest_point(surface, centre_in_body);
+  const Vec3 offset = nearest.point - centre_in_body;
+  return {nearest, offset, norm(offset)};
+}
+
+/// A contact on the edge of a surface is dropped if the edge belongs to another surface of the same body that
+/// is nearer (or as near and named first): an edge shared by two faces is one contact, and none while the
+/// parcel rests on the face itself.
+bool edge_belongs_to_other(const NearWalls& near, std::uint32_t slot, const WallSight& sight, const Parcel& p,
+                           const Vec3& centre_in_body, std::span<const Surface> surfaces) {
+  const std::uint32_t own = near.surface[slot];
+  const double same = 1e-9 * p.radius;
+  for (std::uint32_t k = near.begin[near.parcel[slot]]; k < near.begin[near.parcel[slot] + 1]; ++k) {
+    const std::uint32_t other = near.surface[k];
+    if (other == own || surfaces[other].body != surfaces[own].body) continue;
+    const Vec3 away = nearest_point(surfaces[other], sight.nearest.point).point - sight.nearest.point;
+    if (dot(away, away) > same * same) continue;
+    const double distance = look(surfaces[other], centre_in_body).distance;
+    const bool as_near = magnitude(distance - sight.distance) <= same;
+    if (as_near ? other < own : distance < sight.distance) return true;
+  }
+  return false;
+}
+
+void stage_wall(ContactBlock& b, std::uint32_t slot, const Parcel& p, const Surface& surface, const Pose& pose,
+                const WallSight& sight, const NearWalls& near, double dt) {
+  const int k = b.count++;
+  stage_history(b, k, slot, near.touching[slot] != 0, near.history[slot]);
+  const Vec3 normal = sight.offset / sight.distance;
+  const Vec3 wall_velocity = (pose.now - pose.before) / dt;  // the mean over the step, so overlaps are exact
+  // The normal in the middle of the step: where curved surfaces and edges stood dt/2 ago.
+  const Vec3 half_centre = p.position - (0.5 * dt) * p.velocity - 0.5 * (pose.now + pose.before);
+  const WallSight half = look(surface, half_centre);
+  const bool flat = sight.nearest.in_face && surface.kind != Surface::Kind::tube;
+  put(b.normal, k, normal);
+  put(b.half_normal, k, flat || half.distance == 0.0 ? normal : half.offset / half.distance);
+  put(b.velocity, k, p.velocity - wall_velocity);
+  put(b.spin_first, k, p.spin);
+  put(b.spin_second, k, {});
+  b.overlap[k] = p.radius - sight.distance;
+  b.radius[k] = p.radius;  // a wall counts as flat: R* = R
+  b.mass[k] = p.mass;
+  b.arm_first[k] = sight.distance;
+  b.arm_second[k] = 0.0;
+}
+
+/// Whether the centre changed sides during the step, through the face itself.
+bool crossed(const Surface& surface, const Parcel& p, const Pose& pose, const WallSight& sight, double dt) {
+  if (!sight.nearest.in_face) return false;
+  const Vec3 before = p.position - dt * p.velocity - pose.before;
+  const double was = nearest_point(surface, before).elevation, is = sight.nearest.elevation;
+  return is == 0.0 || (was > 0.0) != (is > 0.0);
+}
+
+}  // namespace
+
+ContactEvaluator::ContactEvaluator(int threads, std::size_t classes) : threads_(threads) {
+  scratch_.resize(static_cast<std::size_t>(std::max(threads, 1)));
+  for (auto& s : scratch_) s.block.resize(classes);
+}
+
+void ContactEvaluator::pairs(NearPairs& near, const Parcels& parcels, const ContactClasses& classes,
+                             const NearestImage& nearest, double dt) {
+  parallel_shares(near.slots(), threads_, [&](std::size_t from, std::size_t to, int thread) {
+    auto& blocks = scratch_[static_cast<std::size_t>(thread)].block;
+    const Parcel* body = parcels.body.data();
+    for (std::size_t s = from; s < to; ++s) {
+      const Parcel& p = body[near.first[s]];
+      const Parcel& q = body[near.second[s]];
+      const Vec3 offset = nearest(q.position - p.position);
+      const double sum = p.radius + q.radius;
+      if (!near.touching[s] && !(dot(offset, offset) < sum * sum)) continue;
+      const std::uint32_t c = classes.index(p.species, q.species);
+      ContactBlock& b = blocks[c];
+      stage_pair(b, static_cast<std::uint32_t>(s), p, q, offset, near);
+      if (b.count == kernels::block_size) finish_pairs(b, classes.all()[c], near, dt);
+    }
+    for (std::size_t c = 0; c < blocks.size(); ++c)
+      if (blocks[c].count > 0) finish_pairs(blocks[c], classes.all()[c], near, dt);
+  });
+}
+
+void ContactEvaluator::walls(NearWalls& near, const Parcels& parcels, std::span<const Surface> surfaces,
+                             std::span<const Body> bodies, std::span<const Pose> poses,
+                             const ContactClasses& classes, double dt, std::vector<Crossing>& crossings) {
+  for (auto& s : scratch_) s.crossings.clear();
+  parallel_shares(near.slots(), threads_, [&](std::size_t from, std::size_t to, int thread) {
+    auto& scratch = scratch_[static_cast<std::size_t>(thread)];
+    for (std::size_t s = from; s < to; ++s) {
+      const auto slot = static_cast<std::uint32_t>(s);
+      const Parcel& p = parcels.body[near.parcel[s]];
+      const Surface& surface = surfaces[near.surface[s]];
+      const Pose& pose = poses[surface.body];
+      const Vec3 centre = p.position - pose.now;
+      const WallSight sight = look(surface, centre);
+      if (crossed(surface, p, pose, sight, dt)) scratch.crossings.push_back({near.parcel[s], near.surface[s]});
+      const bool in_reach = near.touching[s] || sight.distance < p.radius;
+      if (!in_reach || sight.distance == 0.0) continue;
+      if (!sight.nearest.in_face && edge_belongs_to_other(near, slot, sight, p, centre, surfaces)) {
+        near.touching[s] = 0;
+        near.history[s] = {};
+        near.load[s] = {};
+        continue;
+      }
+      const std::uint32_t c = classes.index(p.species, bodies[surface.body].species);
+      ContactBlock& b = scratch.block[c];
+      stage_wall(b, slot, p, surface, pose, sight, near, dt);
+      if (b.count == kernels::block_size) finish_walls(b, classes.all()[c], near, dt);
+    }
+    for (std::size_t c = 0; c < scratch.block.size(); ++c)
+      if (scratch.block[c].count > 0) finish_walls(scratch.block[c], classes.all()[c], near, dt);
+  });
+  crossings.clear();
+  for (const auto& s : scratch_) crossings.insert(crossings.end(), s.crossings.begin(), s.crossings.end());
+}
+
+}  // namespace pulvis

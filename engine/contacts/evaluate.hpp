@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <span>
+#include <vector>
+
+#include "engine/contacts/contact_classes.hpp"
+#include "engine/contacts/near_pairs.hpp"
+#include "engine/contacts/near_walls.hpp"
+
+namespace pulvis {
+
+/// A parcel whose centre passed through a surface during a step.
+struct Crossing {
+  std::uint32_t parcel;   ///< index in the store
+  std::uint32_t surface;
+};
+
+/// Evaluates all contacts of a step: stages what touches into blocks of one contact class each, runs the
+/// kernels, and puts results and history back into the slots. Which block a contact shares changes nothing:
+/// each result depends on its own contact alone.
+class ContactEvaluator {
+ public:
+  ContactEvaluator(int threads, std::size_t classes);
+
+  void pairs(NearPairs& near, const Parcels& parcels, const ContactClasses& classes, const NearestImage& nearest,
+             double dt);
+  /// Fills `crossings`, ascending in the parcel's index.
+  void walls(NearWalls& near, const Parcels& parcels, std::span<const Surface> surfaces,
+             std::span<const Body> bodies, std::span<const Pose> poses, const ContactClasses& classes, double dt,
+             std::vector<Crossing>& crossings);
+
+ private:
+  struct Scratch {
+    std::vector<kernels::ContactBlock> block;  ///< one per contact class
+    std::vector<Crossing> crossings;
+  };
+  int threads_;
+  std::vector<Scratch> scratch_;
+};
+
+}  // namespace pulvis

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/contacts/near_pairs.hpp"
+
+#include <algorithm>
+
+#include "engine/base/parallel.hpp"
+
+namespace pulvis {
+namespace {
+
+struct Candidate {
+  Vec3 position;
+  double reach;  ///< radius + margin
+};
+
+}  // namespace
+
+void NearPairs::rebuild(const Parcels& parcels, std::span<const double> margin, double reach, const Box& box,
+                        int threads) {
+  search(parcels, margin, reach, box, threads);
+  assign_slots(parcels, threads);
+}
+
+void NearPairs::search(const Parcels& parcels, std::span<const double> margin, double reach, const Box& box,
+                       int threads) {
+  const std::size_t count = parcels.size();
+  double widest = 0.0;
+  for (std::size_t k = 0; k < count; ++k) widest = std::max(widest, parcels.body[k].radius + margin[k]);
+  grid_.build(box, 2.0 * widest + reach, count, [&](std::size_t k) { return parcels.body[k].position; });
+
+  // Copied in the order of the cells, so that a scan reads memory forwards.
+  const auto order = grid_.order();
+  std::vector<Candidate> candidate(count);
+  parallel_shares(count, threads, [&](std::size_t from, std::size_t to, int) {
+    for (std::size_t k = from; k < to; ++k) {
+      const Parcel& p = parcels.body[order[k]];
+      candidate[k] = {p.position, p.radius + margin[order[k]]};
+    }
+  });
+
+  const NearestImage nearest = NearestImage::of(box);
+  begin.assign(count + 1, 0);
+  std::vector<std::vector<std::uint32_t>> found(static_cast<std::size_t>(std::max(threads, 1)));
+  std::vector<std::size_t> share_begin(found.size(), count);
+  parallel_shares(count, threads, [&](std::size_t from, std::size_t to, int thread) {
+    auto& mine = found[static_cast<std::size_t>(thread)];
+    share_begin[static_cast<std::size_t>(thread)] = from;
+    mine.reserve(12 * (to - from));
+    for (std::size_t i = from; i < to; ++i) {
+      const Vec3 position = parcels.body[i].position;
+      const double own = parcels.body[i].radius + margin[i] + reach;
+      const std::size_t before = mine.size();
+      grid_.for_ranges_around(grid_.cell_of(i), [&](std::uint32_t first_k, std::uint32_t last_k) {
+        for (std::uint32_t k = first_k; k < last_k; ++k) {
+          const Vec3 d = nearest(candidate[k].position - position);
+          const double far = own + candidate[k].reach;
+          if (dot(d, d) < far * far && order[k] != i) mine.push_back(order[k]);
+        }
+      });
+      std::sort(mine.begin() + static_cast<std::ptrdiff_t>(before), mine.end(),
+                [&](std::uint32_t a, std::uint32_t b) { return parcels.body[a].id < parcels.body[b].id; });
+      begin[i + 1] = static_cast<std::uint32_t>(mine.size() - before);
+    }
+  });
+  for (std::size_t i = 0; i < count; ++i) begin[i + 1] += begin[i];
+  partner_.resize(begin[count]);
+  for (std::size_t t = 0; t < found.size(); ++t)
+    if (!found[t].empty())
+      std::copy(found[t].begin(), found[t].end(), partner_.begin() + begin[share_begin[t]]);
+}
+
+void NearPairs::assign_slots(const Parcels& parcels, int threads) {
+  // The parcel that stands first in the store numbers the slot, so slots follow the store's order.
+  const std::size_t count = parcels.size();
+  own_begin_.assign(count + 1, 0);
+  parallel_shares(count, threads, [&](std::size_t from, std::size_t to, int) {
+    for (std::size_t i = from; i < to; ++i)
+      for (std::uint32_t k = begin[i]; k < begin[i + 1]; ++k)
+        if (partner_[k] > i) ++own_begin_[i + 1];
+  });
+  for (std::size_t i = 0; i < count; ++i) own_begin_[i + 1] += own_begin_[i];
+
+  const std::size_t slot_count = own_begin_[count];
+  first.resize(slot_count);
+  second.resize(slot_count);
+  touching.assign(slot_count, 0);
+  history.assign(slot_count, {});
+  load.assign(slot_count, {});
+  entry.resize(partner_.size());
+  parallel_shares(count, threads, [&](std::size_t from, std::size_t to, int) {
+    for (std::size_t i = from; i < to; ++i) {
+      std::uint32_t slot = own_begin_[i];
+      for (std::uint32_t k = begin[i]; k < begin[i + 1]; ++k) {
+        const std::uint32_t j = partner_[k];
+        if (j < i) continue;
+        const bool is_second = parcels.body[i].id > parcels.body[j].id;
+        first[slot] = is_second ? j : static_cast<std::uint32_t>(i);
+        second[slot] = is_second ? static_cast<std::uint32_t>(i) : j;
+        entry[k] = 2 * slot + (is_second ? 1 : 0);
+        ++slot;
+      }
+    }
+  });
+  // The other parcel looks its slot up in the list of the one that numbered it.
+  parallel_shares(count, threads, [&](std::size_t from, std::size_t to, int) {
+    for (std::size_t i = from; i < to; ++i)
+      for (std::uint32_t k = begin[i]; k < begin[i + 1]; ++k) {
+        const std::uint32_t j = partner_[k];
+        if (j > i) continue;
+        std::uint32_t at = begin[j];
+        while (partner_[at] != i) ++at;
+        entry[k] = entry[at] ^ 1u;
+      }
+  });
+}
+
+TouchingList NearPairs::pack(const Parcels& parcels, int threads) const {
+  const std::size_t count = begin.empty() ? 0 : begin.size() - 1;
+  TouchingList list;
+  list.begin.assign(count + 1, 0);
+  const auto owned = [&](std::uint32_t k) { return (entry[k] & 1u) == 0 && touching[entry[k] >> 1]; };
+  parallel_shares(count, threads, [&](std::size_t from, std::size_t to, int) {
+    for (std::size_t i = from; i < to; ++i)
+      for (std::uint32_t k = begin[i]; k < begin[i + 1]; ++k)
+        if (owned(k)) ++list.begin[i + 1];
+  });
+  for (std::size_t i = 0; i < count; ++i) list.begin[i + 1] += list.begin[i];
+  list.partner.resize(list.begin[count]);
+  list.history.resize(list.begin[count]);
+  parallel_shares(count, threads, [&](std::size_t from, std::size_t to, int) {
+    for (std::size_t i = from; i < to; ++i) {
+      std::uint32_t at = list.begin[i];
+      for (std::uint32_t k = begin[i]; k < begin[i + 1]; ++k)
+        if (owned(k)) {
+          const std::uint32_t slot = entry[k] >> 1;
+          list.partner[at] = parcels.body[second[slot]].id;
+          list.history[at++] = history[slot];
+        }
+    }
+  });
+  return list;
+}
+
+std::size_t NearPairs::restore(const TouchingList& list, std::span<const std::uint32_t> old_index,
+                               const Parcels& parcels, int threads) {
+  const std::size_t count = parcels.size();
+  std::vector<std::size_t> found(static_cast<std::size_t>(std::max(threads, 1)), 0);
+  parallel_shares(count, threads, [&](std::size_t from, std::size_t to, int thread) {
+    std::size_t mine = 0;
+    for (std::size_t i = from; i < to; ++i) {
+      if (old_index[i] == no_parcel) continue;
+      // Both lists ascend in the partner's id: one pass over both.
+      std::uint32_t at = list.begin[old_index[i]];
+      const std::uint32_t end = list.begin[old_index[i] + 1];
+      for (std::uint32_t k = begin[i]; k < begin[i + 1] && at < end; ++k) {
+        if (entry[k] & 1u) continue;
+        const std::uint32_t slot = entry[k] >> 1, id = parcels.body[second[slot]].id;
+        while (at < end && list.partner[at] < id) ++at;
+        if (at < end && list.partner[at] == id) {
+          touching[slot] = 1;
+          history[slot] = list.history[at++];
+          ++mine;
+        }
+      }
+    }
+    found[static_cast<std::size_t>(thread)] = mine;
+  });
+  std::size_t total = 0;
+  for (const std::size_t n : found) total += n;
+  return total;
+}
+
+}  // namespace pulvis

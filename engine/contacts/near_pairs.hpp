@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/contacts/cell_grid.hpp"
+#include "engine/contacts/touching.hpp"
+#include "engine/parcels/parcels.hpp"
+
+namespace pulvis {
+
+/// What a pair contact does to its two parcels, about their centres: N, N m.
+struct PairLoad {
+  Vec3 force;  ///< on the first; the second gets the opposite
+  Vec3 torque_first, torque_second;
+};
+
+/// Pairs of parcels that touch or could before the next rebuild. Each pair has one slot, which holds its
+/// history and result; each parcel has a list of its slots, sorted by the partner's id, so that sums run in
+/// the same order whatever the lists contain besides.
+class NearPairs {
+ public:
+  static constexpr std::uint32_t no_parcel = 0xffffffffu;
+
+  /// Finds all pairs closer than margin_i + margin_j + reach. `margin` is per parcel, m; `reach` covers
+  /// contacts that hold beyond touching. Forgets all contacts: see `restore`.
+  void rebuild(const Parcels& parcels, std::span<const double> margin, double reach, const Box& box,
+               int threads);
+
+  /// The contacts that touch now.
+  TouchingList pack(const Parcels& parcels, int threads) const;
+
+  /// Puts contacts back after a rebuild. `old_index[k]` is where the k-th parcel stood in `list` (no_parcel:
+  /// it is new). Returns how many contacts found their slot.
+  std::size_t restore(const TouchingList& list, std::span<const std::uint32_t> old_index,
+                      const Parcels& parcels, int threads);
+
+  std::size_t slots() const { return first.size(); }
+
+  // Per slot. The first has the lower id.
+  std::vector<std::uint32_t> first, second;
+  std::vector<std::uint8_t> touching;
+  std::vector<laws::History> history;
+  std::vector<PairLoad> load;
+
+  // Per parcel: entries [begin[k], begin[k + 1]) of `entry`, partners' ids ascending.
+  std::vector<std::uint32_t> begin;
+  std::vector<std::uint32_t> entry;  ///< 2 slot + (1 if the parcel is the second)
+
+ private:
+  void search(const Parcels& parcels, std::span<const double> margin, double reach, const Box& box, int threads);
+  void assign_slots(const Parcels& parcels, int threads);
+
+  CellGrid grid_;
+  std::vector<std::uint32_t> partner_, own_begin_;
+};
+
+}  // namespace pulvis

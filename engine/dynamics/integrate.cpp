@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/dynamics/integrate.hpp"
+
+#include <vector>
+
+#include "engine/base/parallel.hpp"
+
+namespace pulvis {
+namespace {
+
+/// Half a step of the velocities under the present load.
+inline void kick(Parcel& p, const Load& load, double half_dt) {
+  p.velocity += (half_dt / p.mass) * load.force;
+  p.spin += (half_dt / inertia(p)) * load.torque;
+}
+
+/// Moves a coordinate that left a periodic axis back by one length, and its reference with it.
+inline void wrap(double& x, double& reference, double low, double high) {
+  const double length = high - low;
+  if (x >= high) {
+    x -= length;
+    reference -= length;
+  } else if (x < low) {
+    x += length;
+    reference += length;
+  }
+}
+
+/// False also where a coordinate is not a number.
+inline bool inside(const Vec3& x, const Box& box) {
+  return x.x >= box.min.x && x.x <= box.max.x && x.y >= box.min.y && x.y <= box.max.y && x.z >= box.min.z &&
+         x.z <= box.max.z;
+}
+
+}  // namespace
+
+StepNotice begin_step(Parcels& parcels, const Box& box, double dt, std::span<Vec3> reference,
+                      std::span<const double> margin, int threads) {
+  const bool any_periodic = box.periodic[0] || box.periodic[1] || box.periodic[2];
+  std::vector<StepNotice> notice(static_cast<std::size_t>(threads < 1 ? 1 : threads));
+  parallel_shares(parcels.size(), threads, [&](std::size_t from, std::size_t to, int thread) {
+    StepNotice mine;
+    for (std::size_t i = from; i < to; ++i) {
+      Parcel& p = parcels.body[i];
+      kick(p, parcels.load[i], 0.5 * dt);
+      const Vec3 move = dt * p.velocity;
+      p.position += move;
+      if (any_periodic)
+        for (int axis = 0; axis < 3; ++axis)
+          if (box.periodic[axis]) wrap(p.position[axis], reference[i][axis], box.min[axis], box.max[axis]);
+      const Vec3 since = p.position - reference[i];
+      mine.outside |= !inside(p.position, box);
+      mine.too_fast |= dot(move, move) > 0.25 * (p.radius * p.radius);
+      mine.stale |= dot(since, since) > margin[i] * margin[i];
+    }
+    notice[static_cast<std::size_t>(thread)] = mine;
+  });
+  StepNotice all;
+  for (const auto& n : notice) {
+    all.outside |= n.outside;
+    all.too_fast |= n.too_fast;
+    all.stale |= n.stale;
+  }
+  return all;
+}
+
+void end_step(Parcels& parcels, const NearPairs& pairs, const NearWalls& walls, const Vec3& gravity, double dt,
+              int threads) {
+  parallel_shares(parcels.size(), threads, [&](std::size_t from, std::size_t to, int) {
+    for (std::size_t i = from; i < to; ++i) {
+      Parcel& p = parcels.body[i];
+      Load sum{p.mass * gravity, {}};
+      for (std::uint32_t k = pairs.begin[i]; k < pairs.begin[i + 1]; ++k) {
+        const std::uint32_t slot = pairs.entry[k] >> 1;
+        if (!pairs.touching[slot]) continue;
+        const PairLoad& load = pairs.load[slot];
+        if (pairs.entry[k] & 1u) {
+          sum.force -= load.force;
+          sum.torque += load.torque_second;
+        } else {
+          sum.force += load.force;
+          sum.torque += load.torque_first;
+        }
+      }
+      for (std::uint32_t slot = walls.begin[i]; slot < walls.begin[i + 1]; ++slot) {
+        if (!walls.touching[slot]) continue;
+        sum.force += walls.load[slot].force;
+        sum.torque += walls.load[slot].torque;
+      }
+      parcels.load[i] = sum;
+      kick(p, sum, 0.5 * dt);
+    }
+  });
+}
+
+}  // namespace pulvis

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <span>
+
+#include "engine/contacts/near_pairs.hpp"
+#include "engine/contacts/near_walls.hpp"
+#include "engine/parcels/domain.hpp"
+#include "engine/parcels/parcels.hpp"
+
+namespace pulvis {
+
+/// What the first half of a step noticed.
+struct StepNotice {
+  bool outside = false;  ///< a position is outside the box, or not a number
+  bool too_fast = false; ///< a parcel moved more than half its radius in one step
+  bool stale = false;    ///< a parcel left the margin the lists were made for
+};
+
+/// First half of velocity Verlet: v += (F/m) dt/2, omega += (T/I) dt/2, x += v dt; wraps periodic axes.
+/// Velocities then are those of the middle of the step, in step with the displacement they made (synchronised
+/// velocities, D. R. Vyas et al., Comput. Phys. Commun. 310 (2025) 109524). `reference` are the positions the
+/// lists were made at; they wrap along.
+StepNotice begin_step(Parcels& parcels, const Box& box, double dt, std::span<Vec3> reference,
+                      std::span<const double> margin, int threads);
+
+/// Sums each parcel's loads in a fixed order: gravity, pair contacts by the partner's id, walls by surface;
+/// then the second half of velocity Verlet.
+void end_step(Parcels& parcels, const NearPairs& pairs, const NearWalls& walls, const Vec3& gravity, double dt,
+              int threads);
+
+}  // namespace pulvis

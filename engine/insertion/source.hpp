@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/math/region.hpp"
+#include "engine/parcels/domain.hpp"
+#include "engine/parcels/parcels.hpp"
+#include "engine/parcels/size_sampler.hpp"
+
+namespace pulvis {
+
+/// Where parcels come from. Sizes are those of parcels (already coarse-grained). SI.
+struct SourceModel {
+  enum class Kind { pack, rain, list };
+  std::string name;
+  Kind kind = Kind::pack;
+  std::uint32_t species = 0;
+  double density = 0.0;  ///< kg/m^3
+  std::optional<SizeSampler> sizes;
+  Region region;      ///< whole spheres appear inside it
+  Vec3 velocity;      ///< m/s
+  double rate = 0.0;  ///< kg/s; rain
+  std::optional<std::uint64_t> target_count;
+  std::optional<double> target_mass;  ///< kg, met to within half the smallest parcel
+  std::vector<Parcel> list;           ///< kind list: the parcels themselves
+};
+
+struct SourceState {
+  bool open = false;
+  bool done = false;
+  std::uint64_t opened = 0;     ///< step
+  double mass_at_opening = 0.0; ///< kg
+  std::uint64_t count = 0;      ///< parcels given so far; also the number of the next one
+  double mass = 0.0;            ///< kg given so far
+};
+
+/// Parcels a source gives at this step, none if none is due. `state` is updated. Positions, sizes and
+/// attempts are drawn from counters (seed, source, number of the parcel), never from the order of threads.
+/// Throws Failure(physics) if a pack does not fit, saying how full the region is.
+std::vector<Parcel> draw_parcels(const SourceModel& model, SourceState& state, std::uint64_t seed,
+                                 std::uint32_t stream, std::uint64_t step, double dt, const Parcels& present,
+                                 const Box& domain);
+
+/// Steps between two looks at a rain.
+std::uint64_t rain_interval(const SourceModel& model, double dt);
+
+}  // namespace pulvis

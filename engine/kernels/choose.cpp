@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cstdlib>
+#include <string_view>
+
+#include "engine/kernels/contact_block.hpp"
+
+namespace pulvis::kernels {
+
+namespace baseline {
+ContactKernel contact_kernel(std::size_t law);
+}
+namespace avx2 {
+ContactKernel contact_kernel(std::size_t law);
+}
+namespace avx512 {
+ContactKernel contact_kernel(std::size_t law);
+}
+
+namespace {
+
+InstructionSet best_of_processor() {
+  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+      __builtin_cpu_supports("avx512vl"))
+    return InstructionSet::avx512;
+  if (__builtin_cpu_supports("avx2")) return InstructionSet::avx2;
+  return InstructionSet::baseline;
+}
+
+}  // namespace
+
+InstructionSet instruction_set() {
+  const InstructionSet best = best_of_processor();
+  const char* wish = std::getenv("PULVIS_INSTRUCTION_SET");
+  if (!wish) return best;
+  const std::string_view text = wish;
+  if (text == "baseline") return InstructionSet::baseline;
+  if (text == "avx2" && best != InstructionSet::baseline) return InstructionSet::avx2;
+  return best;
+}
+
+const char* name_of(InstructionSet set) {
+  switch (set) {
+    case InstructionSet::avx512: return "avx512";
+    case InstructionSet::avx2: return "avx2";
+    case InstructionSet::baseline: break;
+  }
+  return "baseline";
+}
+
+ContactKernel contact_kernel(std::size_t law, InstructionSet set) {
+  switch (set) {
+    case InstructionSet::avx512: return avx512::contact_kernel(law);
+    case InstructionSet::avx2: return avx2::contact_kernel(law);
+    case InstructionSet::baseline: break;
+  }
+  return baseline::contact_kernel(law);
+}
+
+}  // namespace pulvis::kernels

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <cstddef>
+#include <cstdint>
+
+namespace pulvis::kernels {
+
+inline constexpr int block_size = 64;  // 64 contacts x about 45 numbers: 23 KiB, stays in the inner caches
+
+using Lane = double[block_size];
+struct Lanes3 {
+  alignas(64) Lane x;
+  alignas(64) Lane y;
+  alignas(64) Lane z;
+};
+
+/// Contacts of one pair of species, side by side, so that a law is evaluated on many at once. Staged by
+/// plain loads; the results go back to each contact's own slot. SI; symbols as in laws::Touch.
+struct ContactBlock {
+  int count = 0;
+  std::uint32_t slot[block_size];
+
+  // Staged for parcels: the kernel derives what stands under "staged for walls" from these.
+  Lanes3 offset;        ///< x_second - x_first (nearest image), end of step
+  Lanes3 velocity;      ///< v_first - v_second, mid-step; walls: v_first - v_wall at the contact
+  alignas(64) Lane radius_first, radius_second, mass_first, mass_second;
+
+  // Staged for walls, derived for parcels.
+  Lanes3 normal, half_normal;
+  alignas(64) Lane overlap, radius, mass;  ///< delta, R*, m*
+  alignas(64) Lane arm_first, arm_second;  ///< from the centre to the contact; wall: 0
+
+  Lanes3 spin_first, spin_second;  ///< mid-step
+  alignas(64) Lane touching;       ///< in: before this step; out: now
+  Lanes3 slide, roll;              ///< history, in and out
+
+  // Results.
+  Lanes3 force;                        ///< on the first
+  Lanes3 torque_first, torque_second;  ///< about the centres
+};
+
+/// The two entry points of one law: contacts of parcels, and of parcels with walls.
+struct ContactKernel {
+  void (*parcels)(ContactBlock& block, const double* pair_constants, double dt);
+  void (*walls)(ContactBlock& block, const double* pair_constants, double dt);
+};
+
+/// Instruction sets the kernels are compiled for.
+enum class InstructionSet { baseline, avx2, avx512 };
+
+/// The best this processor has, or what PULVIS_INSTRUCTION_SET (baseline, avx2, avx512) asks for if that is
+/// less. All give the same bits.
+InstructionSet instruction_set();
+const char* name_of(InstructionSet);
+
+/// Kernel of the law with this index in laws::catalogue(). `set` must be one the processor has.
+ContactKernel contact_kernel(std::size_t law, InstructionSet set);
+
+}  // namespace pulvis::kernels

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include "engine/laws/parts.hpp"
+#include "engine/math/functions.hpp"
+
+namespace pulvis::laws::damping {
+
+/// Dashpot that gives a stated coefficient of restitution e in a Hertz contact.
+///
+///   beta = ln e / sqrt(ln^2 e + pi^2)             [-]      (1)
+///   c(S) = -2 sqrt(5/6) beta sqrt(S m*)           [kg/s]   (2)
+///   normal: S_n = 2 E* a_d;  tangential: S_t = 8 G* a_d    [N/m]
+///
+/// a_d is sqrt(R* delta) (choice "hertz", default: also under JKR, so that a stretched contact is not
+/// damped) or the contact radius of the normal law (choice "jkr_radius").
+///
+/// Source     Y. Tsuji, T. Tanaka, T. Ishida, Powder Technol. 71 (1992) 239-250,
+///            doi:10.1016/0032-5910(92)88030-L (the form of the dashpot); (1) and (2) in closed form:
+///            D. Antypov, J. A. Elliott, EPL 94 (2011) 50004, doi:10.1209/0295-5075/94/50004, eq. 17-18.
+/// Valid      0 < e <= 1. With Hertz e is returned exactly if nothing clips the force; with adhesion the
+///            collision loses more (see the law's energy).
+/// Energy     dissipative.
+/// Tests      tests/verification/impact_test.cpp.
+struct Restitution {
+  static constexpr const char* name = "restitution";
+  struct Pair {
+    double coefficient;          ///< -2 sqrt(5/6) beta, -
+    double normal_stiffness;     ///< S_n/a_d = 2 E*, Pa
+    double tangential_stiffness; ///< S_t/a_d = 8 G*, Pa
+    double on_contact_radius;    ///< 1: a_d is the contact radius, 0: the Hertz radius
+  };
+
+  static Pair mix(const MaterialPair& pair, const Choices& choices) {
+    const double log_e = logarithm(pair.restitution);
+    const double beta = log_e / root(log_e * log_e + square(3.14159265358979323846));
+    return {-2.0 * root(5.0 / 6.0) * beta, 2.0 * pair.effective_modulus, 8.0 * pair.effective_shear_modulus,
+            choices.damping_on_jkr_radius ? 1.0 : 0.0};
+  }
+
+  struct Coefficients {
+    double normal, tangential;  ///< c_n, c_t, kg/s
+  };
+  PULVIS_INLINE static Coefficients coefficients(const Normal& normal, double mass, const Pair& pair) {
+    const double radius = select(pair.on_contact_radius > 0.5, normal.contact_radius, normal.hertz_radius);
+    const double scale = mass * radius;
+    return {pair.coefficient * root(pair.normal_stiffness * scale),
+            pair.coefficient * root(pair.tangential_stiffness * scale)};
+  }
+};
+
+/// No dashpot: contacts lose energy only by friction, rolling resistance and adhesion.
+struct None {
+  static constexpr const char* name = "none";
+  struct Pair {};
+  static Pair mix(const MaterialPair&, const Choices&) { return {}; }
+  PULVIS_INLINE static Restitution::Coefficients coefficients(const Normal&, double, const Pair&) {
+    return {0.0, 0.0};
+  }
+};
+
+}  // namespace pulvis::laws::damping

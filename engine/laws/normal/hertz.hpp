@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include "engine/laws/parts.hpp"
+
+namespace pulvis::laws::normal {
+
+/// Elastic contact of two spheres, or of a sphere and a flat.
+///
+///   a   = sqrt(R* delta)                 [m]   (1)
+///   F_n = (4/3) E* sqrt(R*) delta^(3/2)  [N]   (2)
+///
+/// Source     H. Hertz, J. reine angew. Math. 92 (1881) 156-171, doi:10.1515/crll.1882.92.156; in the form
+///            of K. L. Johnson, Contact Mechanics (1985), doi:10.1017/CBO9781139171731, eq. 4.22 and 4.23.
+/// Symbols    R* reduced radius, E* effective modulus, delta overlap.
+/// Valid      a << R*, elastic, smooth; in practice delta below a few per cent of R*.
+/// Touch      at delta = 0 with zero force. Separation at delta = 0.
+/// Energy     (8/15) E* sqrt(R*) delta^(5/2), stored and returned.
+/// Tests      tests/laws/normal_test.cpp, tests/verification/impact_test.cpp.
+struct Hertz {
+  static constexpr const char* name = "hertz";
+  struct Pair {
+    double effective_modulus;  ///< E*, Pa
+  };
+
+  static Pair mix(const MaterialPair& pair, const Choices&) { return {pair.effective_modulus}; }
+
+  /// Gap up to which an existing contact lasts, m.
+  PULVIS_INLINE static double separation_gap(double /*radius*/, const Pair&) { return 0.0; }
+
+  PULVIS_INLINE static Normal normal(double overlap, double radius, const Pair& pair) {
+    const double delta = greatest(overlap, 0.0);
+    const double a = root(radius * delta);
+    return {(4.0 / 3.0) * pair.effective_modulus * a * delta, a, a, 0.0};
+  }
+};
+
+}  // namespace pulvis::laws::normal

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include "engine/laws/parts.hpp"
+
+namespace pulvis::laws::rolling {
+
+/// Elastic-plastic spring against rolling, without viscous part ("EPSD2").
+///
+///   T <- P_n (P_h T - k_r omega_r dt)     [N m]        (1)
+///   k_r = k_t R*^2 = 8 G* a R*^2          [N m/rad]    (2)
+///   |T| <= mu_r R* N                      [N m]        (3)
+///
+/// omega_r is the relative spin without its part along the normal (no resistance to twisting).
+///
+/// Source     K. Iwashita, M. Oda, J. Eng. Mech. 124 (1998) 285-292, doi:10.1061/(ASCE)0733-9399(1998)124:3(285);
+///            J. Ai et al., Powder Technol. 206 (2011) 269-282, doi:10.1016/j.powtec.2010.09.030 (type C); the
+///            stiffness (2) as in the LIGGGHTS family's epsd2.
+/// Symbols    N the limiting normal force (see ContactLaw), mu_r coefficient of rolling friction.
+/// Valid      quasi-static rolling of near-round grains; mu_r stands in for shape.
+/// Touch      T = 0. Separation: T is forgotten.
+/// Energy     T^2/(2 k_r) stored at fixed k_r; the limit dissipates.
+/// Tests      tests/laws/rolling_test.cpp, tests/verification/incline_test.cpp.
+struct ElasticPlastic {
+  static constexpr const char* name = "elastic_plastic";
+  struct Pair {
+    double stiffness;  ///< k_t/a = 8 G*, Pa
+    double friction;   ///< mu_r, -
+  };
+
+  static Pair mix(const MaterialPair& pair, const Choices&) {
+    return {8.0 * pair.effective_shear_modulus, pair.rolling_friction};
+  }
+
+  /// Torque on the first, N m; it is its own history.
+  PULVIS_INLINE static Vec3 roll(const Touch& touch, double contact_radius, double limiting_force,
+                                 const Vec3& old_torque, const Pair& pair) {
+    const double stiffness = pair.stiffness * contact_radius * square(touch.radius);
+    const Vec3 spin = in_plane(touch.spin, touch.half_normal);
+    const Vec3 moved = in_plane(old_torque, touch.half_normal) - (stiffness * touch.dt) * spin;
+    const Vec3 torque = in_plane(moved, touch.normal);
+    const double size = norm(torque);
+    const double limit = pair.friction * touch.radius * limiting_force;
+    return select(size > limit, limit / greatest(size, 1e-300), 1.0) * torque;
+  }
+};
+
+/// No resistance to rolling.
+struct None {
+  static constexpr const char* name = "none";
+  struct Pair {};
+  static Pair mix(const MaterialPair&, const Choices&) { return {}; }
+  PULVIS_INLINE static Vec3 roll(const Touch&, double, double, const Vec3&, const Pair&) { return {}; }
+};
+
+}  // namespace pulvis::laws::rolling

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <string>
+#include <vector>
+
+#include "engine/contacts/contact_classes.hpp"
+#include "engine/insertion/source.hpp"
+#include "engine/parcels/domain.hpp"
+#include "engine/walls/bodies.hpp"
+
+namespace pulvis {
+
+/// Everything about a run that never changes while it runs. SI.
+struct Model {
+  Box domain;
+  Vec3 gravity;        ///< m/s^2
+  double dt = 0.0;     ///< s
+  ContactClasses classes;
+  std::vector<Surface> surfaces;
+  std::vector<Body> bodies;
+  std::vector<SineMotion> motions;
+  std::vector<SourceModel> sources;
+  std::uint64_t seed = 1;
+  double smallest_radius = 0.0, largest_radius = 0.0;  ///< m, of all parcels that can appear
+  /// Scales the margin of the neighbour lists; changes speed, never a bit of the result.
+  double skin = 1.0;
+};
+
+}  // namespace pulvis

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <vector>
+
+#include "engine/contacts/evaluate.hpp"
+#include "engine/contacts/near_pairs.hpp"
+#include "engine/contacts/near_walls.hpp"
+#include "engine/dynamics/integrate.hpp"
+#include "engine/simulation/model.hpp"
+#include "engine/simulation/state.hpp"
+
+namespace pulvis {
+
+/// The engine: a model, its state, and what is derived from them to go fast. The state after n steps does not
+/// depend on the number of threads, the instruction set, the skin, or on having been saved and loaded.
+class Simulation {
+ public:
+  Simulation(Model model, State state, int threads);
+
+  /// Fresh state for a model: no parcels, all at rest.
+  static State initial_state(const Model& model);
+
+  /// One time step. Throws Failure(physics) where it cannot go on: a number that is not one, or a parcel
+  /// that moved more than half its radius. Parcels that escape are taken out, counted, and in `escapes`.
+  void step();
+
+  void open_source(std::size_t source);
+  void close_source(std::size_t source);
+  void start_motion(std::size_t motion);
+  void stop_motion(std::size_t motion);
+
+  State snapshot() const;
+  const Model& model() const { return model_; }
+  const State& state() const { return state_; }  ///< without `pairs` and `walls`: see `snapshot`
+  State& state() { return state_; }
+  const NearPairs& pairs() const { return pairs_; }
+  const NearWalls& walls() const { return walls_; }
+  double time() const { return static_cast<double>(state_.step) * model_.dt; }
+  Vec3 body_displacement(std::size_t body) const { return poses_[body].now; }
+  int threads() const { return threads_; }
+  std::uint64_t rebuilds() const { return rebuilds_; }
+
+  /// Force of all parcels on a surface, N, summed in order of ids.
+  Vec3 force_on_surface(std::size_t surface) const;
+
+  /// Bytes held by the arrays that grow with the number of parcels.
+  std::size_t memory() const;
+
+ private:
+  void insert_due_parcels();
+  void move_bodies_to(std::uint64_t step);
+  Vec3 displacement_at(std::size_t body, std::uint64_t step) const;
+  void take_out_escaped(const StepNotice& notice);
+  void take_out_crossed();
+  void remove(std::vector<std::uint32_t>& indices);
+  [[noreturn]] void fail_at(const char* what, const char* remedy, const Parcel& parcel) const;
+
+  /// Rebuilds the near lists and carries the contacts over. `old_index` as in NearPairs::restore.
+  void rebuild(const TouchingList& old_pairs, const TouchingList& old_walls,
+               std::vector<std::uint32_t> old_index);
+  void rebuild();
+  void choose_margins();
+  bool a_body_left_its_margin() const;
+  void sort_along_space(std::vector<std::uint32_t>& old_index);
+
+  Model model_;
+  State state_;
+  int threads_;
+  NearestImage nearest_;
+  double reach_ = 0.0;
+  std::vector<Pose> poses_;
+  NearPairs pairs_;
+  NearWalls walls_;
+  ContactEvaluator evaluator_;
+  std::vector<Vec3> reference_;       ///< positions at the last rebuild
+  std::vector<Vec3> body_reference_;  ///< displacements at the last rebuild
+  std::vector<double> margin_;        ///< m per parcel
+  std::vector<double> body_margin_;   ///< m per body
+  std::vector<Crossing> crossings_;
+  std::uint64_t rebuilds_ = 0, last_rebuild_ = 0;
+};
+
+}  // namespace pulvis

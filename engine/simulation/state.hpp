@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "engine/contacts/touching.hpp"
+#include "engine/insertion/source.hpp"
+#include "engine/parcels/parcels.hpp"
+
+namespace pulvis {
+
+/// Counts and masses: inserted = present + removed + escaped, always.
+struct Ledger {
+  std::uint64_t inserted = 0, removed = 0, escaped = 0;
+  double inserted_mass = 0.0, removed_mass = 0.0, escaped_mass = 0.0;  ///< kg
+};
+
+/// A parcel that left the domain or passed through a wall.
+struct Escape {
+  std::uint32_t id = 0;
+  double time = 0.0;  ///< s
+  Vec3 position, velocity;
+  std::string through;  ///< name of the surface, or "domain"
+};
+
+struct MotionState {
+  bool running = false;
+  std::uint64_t start = 0;  ///< step at which it began
+};
+
+/// Where the procedure is: which phase, since when.
+struct Progress {
+  std::uint32_t phase = 0;
+  std::uint64_t phase_start = 0;  ///< step
+};
+
+/// The whole state of a run at the end of a step: what is needed to go on bit for bit, and nothing that can
+/// be derived. Forces belong to it, since dashpots saw mid-step velocities that are gone.
+struct State {
+  std::uint64_t step = 0;
+  Parcels parcels;
+  TouchingList pairs, walls;
+  std::vector<MotionState> motions;
+  std::vector<Vec3> body_offset;  ///< m: displacement left behind by finished motions
+  std::vector<SourceState> sources;
+  std::uint32_t next_id = 0;
+  Ledger ledger;
+  std::vector<Escape> escapes;
+  Progress progress;
+};
+
+/// Bytes of a state, with a magic number, a version and a checksum.
+std::vector<std::byte> save_state(const State& state);
+/// Throws Failure(bad_input) if the bytes are not an intact state.
+State load_state(const std::vector<std::byte>& bytes);
+
+/// XXH3 128-bit hash (32 hexadecimal digits) of positions, velocities, spins and contact history, parcels in
+/// order of their ids: equal states have equal hashes however the store is sorted.
+std::string state_hash(const State& state);
+
+}  // namespace pulvis

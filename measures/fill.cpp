@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "measures/fill.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "measures/sum.hpp"
+
+namespace pulvis::measures {
+
+Fill fill_inside(std::span<const Sphere> spheres, std::span<const double> masses,
+                 const Container& container) {
+  if (spheres.size() != masses.size())
+    throw std::invalid_argument("fill_inside: there must be one mass for each sphere");
+  const auto inside = [&](const Sphere& sphere) { return is_inside(container, sphere.centre); };
+  const auto mass_inside = [&](std::size_t i) { return inside(spheres[i]) ? masses[i] : 0.0; };
+  return {.mass = pairwise_sum(spheres.size(), mass_inside),
+          .count = static_cast<std::size_t>(std::count_if(spheres.begin(), spheres.end(), inside))};
+}
+
+}  // namespace pulvis::measures

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "output/csv.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <stdexcept>
+#include <utility>
+
+namespace pulvis {
+namespace {
+
+template <class Number>
+void append_number(std::string& line, Number value) {
+  std::array<char, 32> digits;  // the longest double takes 24
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
+  line.append(digits.data(), end);
+}
+
+// RFC 4180: text with a separator, a quote or a line end is quoted, quotes are doubled.
+void append_text(std::string& line, std::string_view text) {
+  if (text.find_first_of(",\"\r\n") == std::string_view::npos) {
+    line += text;
+    return;
+  }
+  line += '"';
+  for (const char letter : text) {
+    if (letter == '"') line += '"';
+    line += letter;
+  }
+  line += '"';
+}
+
+void append_cell(std::string& line, const CsvCell& cell) {
+  if (const auto* number = std::get_if<double>(&cell)) {
+    append_number(line, *number);
+  } else if (const auto* count = std::get_if<std::int64_t>(&cell)) {
+    append_number(line, *count);
+  } else {
+    append_text(line, std::get<std::string_view>(cell));
+  }
+}
+
+}  // namespace
+
+CsvLog::CsvLog(std::string path, std::vector<std::string> columns, FileCalls calls)
+    : path_(std::move(path)), columns_(columns.size()), calls_(calls), file_(-1) {
+  file_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  if (file_ < 0) fail_to_write(path_, errno);
+  try {
+    std::vector<CsvCell> header(columns.begin(), columns.end());
+    add(header);
+  } catch (...) {
+    ::close(file_);
+    throw;
+  }
+}
+
+CsvLog::~CsvLog() { ::close(file_); }
+
+void CsvLog::add(std::span<const CsvCell> cells) {
+  if (cells.size() != columns_) throw std::invalid_argument("a line of " + path_ + " has a wrong number of cells");
+  line_.clear();
+  for (const CsvCell& cell : cells) {
+    if (&cell != cells.data()) line_ += ',';
+    append_cell(line_, cell);
+  }
+  line_ += '\n';
+  write_line();
+}
+
+void CsvLog::write_line() {
+  const off_t start = ::lseek(file_, 0, SEEK_CUR);
+  const int error = write_fully(calls_, file_, line_.data(), line_.size());
+  if (error == 0) return;
+  // Half a line would be read as wrong numbers. A device that cannot be cut back holds no lines anyway.
+  if (start >= 0 && ::ftruncate(file_, start) == 0) ::lseek(file_, start, SEEK_SET);
+  fail_to_write(path_, error);
+}
+
+}  // namespace pulvis

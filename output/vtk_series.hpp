@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <string>
+#include <vector>
+
+namespace pulvis {
+
+/// A time series for ParaView: a .pvd file that lists the frames. ParaView believes the list without looking
+/// for the files, so add a frame only when it is complete.
+class VtkSeries {
+ public:
+  struct Frame {
+    double time;       ///< s
+    std::string file;  ///< relative to the folder of the .pvd
+  };
+
+  /// An empty series; the file is written with the first frame.
+  explicit VtkSeries(std::string path) : path_(std::move(path)) {}
+
+  /// Goes on with the series in `path`, without its frames at or after `time` (s), which the continued run
+  /// writes again. A missing file gives an empty series; a damaged one Failure(Exit::bad_input).
+  static VtkSeries continued(std::string path, double time);
+
+  /// Adds a frame and rewrites the .pvd, completely or not at all. `file` may be given relative to the folder
+  /// of the .pvd or as a path that begins with that folder. Throws Failure(Exit::io) if it cannot be written.
+  void add(double time, const std::string& file);
+
+  const std::vector<Frame>& frames() const { return frames_; }
+
+ private:
+  void write() const;
+
+  std::string path_;
+  std::vector<Frame> frames_;
+};
+
+}  // namespace pulvis
