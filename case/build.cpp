@@ -21,11 +21,12 @@ Choice chosen(const std::array<std::pair<const char*, Choice>, count>& choices, 
   throw std::logic_error("the choice \"" + text + "\" is declared, but means nothing");
 }
 
-constexpr std::array<std::pair<const char*, Mixing>, 5> mixing_rules{{{"geometric_mean", Mixing::geometric_mean},
-                                                                      {"arithmetic_mean", Mixing::arithmetic_mean},
-                                                                      {"harmonic_mean", Mixing::harmonic_mean},
-                                                                      {"smaller", Mixing::smaller},
-                                                                      {"larger", Mixing::larger}}};
+constexpr std::array<std::pair<const char*, Mixing>, 5> mixing_rules{
+    {{"geometric_mean", Mixing::geometric_mean},
+     {"arithmetic_mean", Mixing::arithmetic_mean},
+     {"harmonic_mean", Mixing::harmonic_mean},
+     {"smaller", Mixing::smaller},
+     {"larger", Mixing::larger}}};
 constexpr std::array<std::pair<const char*, SizeDistribution::Kind>, 5> size_kinds{
     {{"single", SizeDistribution::Kind::single},
      {"uniform", SizeDistribution::Kind::uniform},
@@ -80,9 +81,12 @@ class Builder {
   }
 
  private:
-  std::size_t index(const std::string& table, const std::string& name) const { return indices_.at(table).at(name); }
+  std::size_t index(const std::string& table, const std::string& name) const {
+    return indices_.at(table).at(name);
+  }
 
-  std::optional<std::size_t> optional_index(const std::string& table, const Section& section, const std::string& key) const {
+  std::optional<std::size_t> optional_index(const std::string& table, const Section& section,
+                                            const std::string& key) const {
     const std::string* name = section.optional_text(key);
     return name != nullptr ? std::optional(index(table, *name)) : std::nullopt;
   }
@@ -221,7 +225,8 @@ class Builder {
     result.region = region(section.table("region"));
     result.velocity = section.vector("velocity");
     result.target.mass = section.optional_number("mass");
-    if (section.find("count") != nullptr) result.target.count = static_cast<std::uint64_t>(section.integer("count"));
+    if (section.find("count") != nullptr)
+      result.target.count = static_cast<std::uint64_t>(section.integer("count"));
     result.mass_rate = number_or_zero(section, "mass_rate");
     return result;
   }

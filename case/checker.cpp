@@ -13,7 +13,9 @@
 namespace pulvis::case_file {
 namespace {
 
-std::string joined(const std::string& path, const std::string& key) { return path.empty() ? key : path + "." + key; }
+std::string joined(const std::string& path, const std::string& key) {
+  return path.empty() ? key : path + "." + key;
+}
 
 // Names stand in paths of --set and in file names, so they keep to plain characters.
 bool is_plain_name(const std::string& name) {
@@ -41,7 +43,8 @@ class Checker {
       : names_(collect_names(root)), problems_(problems), reader_(names_, problems) {}
 
   // `value` is null for a table that is not given: it then gets its defaults.
-  Section table(const Value* value, const Place& place, std::string pattern, std::string name, std::string path) {
+  Section table(const Value* value, const Place& place, std::string pattern, std::string name,
+                std::string path) {
     Section section;
     section.name = std::move(name);
     section.path = std::move(path);
@@ -67,7 +70,8 @@ class Checker {
     for (const Entry& entry : value.entries) {
       if (problems_.full()) return;
       if (std::find(known.begin(), known.end(), entry.key) != known.end()) continue;
-      problems_.add(entry.place, "unknown key " + joined(section.path, shortened(entry.key)), advice(entry.key, known));
+      problems_.add(entry.place, "unknown key " + joined(section.path, shortened(entry.key)),
+                    advice(entry.key, known));
     }
   }
 
@@ -76,7 +80,8 @@ class Checker {
     if (const auto guess = nearest(key, known)) return fmt::format("did you mean \"{}\"?", *guess);
     std::vector<std::string> places;
     for (const Key& other : all_keys())
-      if (leaf_of(other.pattern) == key && other.pattern != key) places.push_back(parent_pattern(other.pattern));
+      if (leaf_of(other.pattern) == key && other.pattern != key)
+        places.push_back(parent_pattern(other.pattern));
     constexpr std::size_t few = 3;
     if (!places.empty() && places.size() <= few) return "this is a key of " + enumerate(places);
     return "expected " + enumerate(known);
@@ -141,7 +146,8 @@ class Checker {
   void named(const Key& key, const Entry& entry, const std::string& path, std::vector<Section>& group) {
     if (!is(Value::Kind::table, key, path, entry.value)) return;
     if (key.presence == Presence::required && entry.value.entries.empty())
-      problems_.add(entry.place, path + " is empty", fmt::format("expected at least one [{}.NAME]", key.pattern));
+      problems_.add(entry.place, path + " is empty",
+                    fmt::format("expected at least one [{}.NAME]", key.pattern));
     for (const Entry& element : entry.value.entries) {
       const std::string element_path = joined(path, shortened(element.key));
       if (!is_plain_name(element.key))
@@ -156,7 +162,8 @@ class Checker {
   void listed(const Key& key, const Entry& entry, const std::string& path, std::vector<Section>& group) {
     if (!is(Value::Kind::list, key, path, entry.value)) return;
     if (key.presence == Presence::required && entry.value.items.empty())
-      problems_.add(entry.place, path + " is empty", fmt::format("expected at least one [[{}]]", key.pattern));
+      problems_.add(entry.place, path + " is empty",
+                    fmt::format("expected at least one [[{}]]", key.pattern));
     for (std::size_t i = 0; i < entry.value.items.size(); ++i) {
       const Value& element = entry.value.items[i];
       const std::string element_path = fmt::format("{}[{}]", path, i);
@@ -175,8 +182,8 @@ class Checker {
   void out_of_place(const Key& key, const Entry& entry, Section& section) {
     const std::string* state = section.optional_text(key.only_when.key);
     problems_.add(entry.place,
-                  fmt::format("{} has no meaning where {} is \"{}\"", joined(section.path, entry.key), key.only_when.key,
-                              state != nullptr ? *state : ""),
+                  fmt::format("{} has no meaning where {} is \"{}\"", joined(section.path, entry.key),
+                              key.only_when.key, state != nullptr ? *state : ""),
                   fmt::format("it counts where {}", describe_condition(key.only_when)));
     absent_group(key, section);
   }
@@ -185,7 +192,8 @@ class Checker {
     // Reported once, at the one that comes later: an override comes after the file.
     const auto position = [](const Place& p) { return std::tuple(p.source, p.line, p.column); };
     if (position(entry.place) < position(partner.place)) return;
-    problems_.add(entry.place, fmt::format("{} is given beside {}", joined(section.path, entry.key), key.partner),
+    problems_.add(entry.place,
+                  fmt::format("{} is given beside {}", joined(section.path, entry.key), key.partner),
                   "only one of them can hold");
   }
 
@@ -203,7 +211,8 @@ class Checker {
       problems_.add(section.place, fmt::format("{} is missing, and so is {}", path, key.partner),
                     "expected exactly one of them");
     else
-      problems_.add(section.place, path + " is missing", fmt::format("expected e.g. {} = {}", leaf, key.example));
+      problems_.add(section.place, path + " is missing",
+                    fmt::format("expected e.g. {} = {}", leaf, key.example));
   }
 
   // Tables are always there to be asked, even if empty.
@@ -219,7 +228,8 @@ class Checker {
     }
     // Only of a table that may be left out do the defaults hold; one that is missing or that something
     // else excludes stays bare.
-    const bool optional = key.presence == Presence::optional && key.partner.empty() && key.only_when.key.empty();
+    const bool optional =
+        key.presence == Presence::optional && key.partner.empty() && key.only_when.key.empty();
     const std::string path = joined(section.path, leaf);
     Section& empty = section.tables[leaf];
     if (optional) empty = table(nullptr, section.place, key.pattern, leaf, path);
@@ -229,7 +239,8 @@ class Checker {
   // The default goes through the same reading as a value of the user.
   void standard(const Key& key, Section& section) {
     const auto parsed = parse_toml("value = " + key.standard);
-    if (!std::holds_alternative<Value>(parsed)) throw std::logic_error("the default of " + key.pattern + " is no TOML");
+    if (!std::holds_alternative<Value>(parsed))
+      throw std::logic_error("the default of " + key.pattern + " is no TOML");
     const std::string leaf = leaf_of(key.pattern);
     Setting& setting = section.settings[leaf];
     setting.key = &key;
@@ -237,7 +248,8 @@ class Checker {
     setting.place = setting.key_place = section.place;
     reader_.read(std::get<Value>(parsed).entries.front().value, setting);
     setting.written = key.standard;
-    if (!setting.valid) throw std::logic_error("the default of " + key.pattern + " does not fit its declaration");
+    if (!setting.valid)
+      throw std::logic_error("the default of " + key.pattern + " does not fit its declaration");
   }
 
   KnownNames names_;

@@ -26,7 +26,8 @@ std::vector<std::string> parts_of(std::string_view path) {
 std::string without_index(const std::string& part) { return part.substr(0, part.find('[')); }
 
 // Whether a path means a key: "*" stands for any name and may be left out, an index too.
-bool matches(const std::vector<std::string>& pattern, std::size_t p, const std::vector<std::string>& path, std::size_t k) {
+bool matches(const std::vector<std::string>& pattern, std::size_t p, const std::vector<std::string>& path,
+             std::size_t k) {
   if (p == pattern.size()) return k == path.size();
   if (pattern[p] == "*")
     return matches(pattern, p + 1, path, k) || (k < path.size() && matches(pattern, p + 1, path, k + 1));
@@ -36,6 +37,13 @@ bool matches(const std::vector<std::string>& pattern, std::size_t p, const std::
   return listed && k + 1 < path.size() && matches(pattern, p + 1, path, k + 2);
 }
 
+std::vector<std::string> leaves_in(const Key& table) {
+  std::vector<std::string> leaves;
+  if (is_table(table.kind))
+    for (const Key* key : keys_in(element_pattern(table))) leaves.push_back(leaf_of(key->pattern));
+  return leaves;
+}
+
 std::vector<const Key*> find_keys(const std::string& path) {
   constexpr std::size_t deepest = 16;  // no key has as many parts
   const std::vector<std::string> parts = parts_of(path);
@@ -43,12 +51,19 @@ std::vector<const Key*> find_keys(const std::string& path) {
   if (parts.size() > deepest) return result;
   for (const Key& key : all_keys()) {
     // The elements of a named table: "materials.*" and "materials.steel" are their table.
-    const std::vector<std::string> pattern = parts_of(is_table(key.kind) ? element_pattern(key) : key.pattern);
+    const std::vector<std::string> pattern =
+        parts_of(is_table(key.kind) ? element_pattern(key) : key.pattern);
     if (matches(pattern, 0, parts, 0)) result.push_back(&key);
   }
-  // The most literal match wins: "materials" is the table and not the name of something.
-  const auto exact = [&](const Key* key) { return key->pattern == path; };
-  if (const auto found = std::find_if(result.begin(), result.end(), exact); found != result.end()) return {*found};
+  // The most literal match wins: in "materials.density" the last part is the key and not the name of a
+  // material, and neither is a mistyped "materials.desity".
+  std::vector<const Key*> literal;
+  bool mistyped = false;
+  for (const Key* key : result) {
+    if (leaf_of(key->pattern) == without_index(parts.back()) || key->pattern == path) literal.push_back(key);
+    mistyped = mistyped || (parts.size() > 1 && nearest(parts.back(), leaves_in(*key)));
+  }
+  if (!literal.empty() || mistyped) return literal;
   if (!result.empty() || parts.size() > 1) return result;
   for (const Key& key : all_keys())
     if (leaf_of(key.pattern) == path) result.push_back(&key);
@@ -68,9 +83,10 @@ std::vector<const Key*> find_keys(const std::string& path) {
   }
   const auto guess = nearest(path, known);
   const auto by_leaf = guess ? guess : nearest(leaf_of(path), known);
-  throw Failure(Exit::usage, fmt::format("there is no key \"{}\"{}", path.substr(0, 200),
-                                         by_leaf ? fmt::format("; did you mean \"{}\"?", *by_leaf)
-                                                 : "; the tables are " + enumerate(top_level_tables(), "and")));
+  throw Failure(Exit::usage,
+                fmt::format("there is no key \"{}\"{}", path.substr(0, 200),
+                            by_leaf ? fmt::format("; did you mean \"{}\"?", *by_leaf)
+                                    : "; the tables are " + enumerate(top_level_tables(), "and")));
 }
 
 std::string entry(const Key& key) {

@@ -10,9 +10,12 @@ namespace case_file {
 
 std::string describe_default(const Key& key) {
   switch (key.presence) {
-    case Presence::required: return "required";
-    case Presence::one_of: return fmt::format("required, this or {}", key.partner);
-    case Presence::optional: break;
+    case Presence::required:
+      return "required";
+    case Presence::one_of:
+      return fmt::format("required, this or {}", key.partner);
+    case Presence::optional:
+      break;
   }
   const std::string excluded = key.partner.empty() ? "" : fmt::format("; not together with {}", key.partner);
   if (!key.standard.empty()) return key.standard + excluded;
@@ -47,7 +50,8 @@ std::string row(const Key& key) {
   const bool literal = key.presence == Presence::optional && !key.standard.empty() && key.partner.empty();
   const std::string standard = describe_default(key);
   return fmt::format("| `{}` | {}{} | {} | {} |\n", leaf_of(key.pattern), describe_kind(key),
-                     range.empty() ? "" : ", " + range, literal ? fmt::format("`{}`", standard) : standard, meaning);
+                     range.empty() ? "" : ", " + range, literal ? fmt::format("`{}`", standard) : standard,
+                     meaning);
 }
 
 void append_table(const Key* table, const std::string& pattern, std::string& text) {
@@ -66,10 +70,11 @@ void append_table(const Key* table, const std::string& pattern, std::string& tex
 std::string keys_reference_markdown() {
   std::string text =
       "# Keys of a case file\n\n"
-      "Made from the key table (`case/key_table.cpp`); do not edit.\n\n"
+      "Made from the key table (`case/key_table*.cpp`); do not edit.\n\n"
       "A case is a TOML file. A value with a dimension is text with its unit: `\"4.6 um\"`, `\"25 mJ/m^2\"`, "
       "`\"10.2 g/cm^3\"`, `\"5 Hz\"`, `\"90 deg\"`. `pulvis explain KEY` shows the same on a terminal, and "
-      "`--set key=value` replaces a value: `--set powders.mo.coarse_graining=50`, `--set phases.shake.cycles=5` "
+      "`--set key=value` replaces a value: `--set powders.mo.coarse_graining=50`, `--set "
+      "phases.shake.cycles=5` "
       "(the phase of that name), `--set phases[2].cycles=5` (counted from 0).\n";
   append_table(nullptr, "", text);
   return text;

@@ -15,15 +15,19 @@ using Json = nlohmann::ordered_json;
 
 Json as_json(const Value& value) {
   switch (value.kind) {
-    case Value::Kind::integer: return value.integer;
-    case Value::Kind::number: return value.number;
-    case Value::Kind::boolean: return value.boolean;
+    case Value::Kind::integer:
+      return value.integer;
+    case Value::Kind::number:
+      return value.number;
+    case Value::Kind::boolean:
+      return value.boolean;
     case Value::Kind::list: {
       Json list = Json::array();
       for (const Value& item : value.items) list.push_back(as_json(item));
       return list;
     }
-    default: return value.text;
+    default:
+      return value.text;
   }
 }
 
@@ -34,7 +38,9 @@ Json as_json(const std::string& toml) {
 }
 
 // A schema sees no dimensions: a quantity is text that starts with a number and ends with a unit.
-Json quantity_schema() { return {{"type", "string"}, {"pattern", "^\\s*[-+]?(\\d+\\.?\\d*|\\.\\d+)([eE][-+]?\\d+)?\\s*\\S"}}; }
+Json quantity_schema() {
+  return {{"type", "string"}, {"pattern", "^\\s*[-+]?(\\d+\\.?\\d*|\\.\\d+)([eE][-+]?\\d+)?\\s*\\S"}};
+}
 
 Json number_schema(const Key& key, const char* type) {
   Json schema{{"type", type}};
@@ -58,32 +64,46 @@ Json table_schema(const std::string& pattern);
 Json value_schema(const Key& key) {
   constexpr std::size_t axes = 3;
   switch (key.kind) {
-    case KeyKind::table: return table_schema(key.pattern);
+    case KeyKind::table:
+      return table_schema(key.pattern);
     case KeyKind::named_tables:
       return {{"type", "object"},
               {"patternProperties", {{"^[A-Za-z0-9_-]{1,64}$", table_schema(element_pattern(key))}}},
               {"additionalProperties", false}};
-    case KeyKind::listed_tables: return list_of(table_schema(element_pattern(key)), 0);
-    case KeyKind::quantity: return quantity_schema();
-    case KeyKind::number: return {{"anyOf", {number_schema(key, "number"), {{"type", "string"}, {"pattern", "%\\s*$"}}}}};
-    case KeyKind::integer: return number_schema(key, "integer");
-    case KeyKind::boolean: return {{"type", "boolean"}};
-    case KeyKind::choice: return {{"enum", key.choices}};
-    case KeyKind::choices: return list_of({{"enum", key.choices}}, key.length);
+    case KeyKind::listed_tables:
+      return list_of(table_schema(element_pattern(key)), 0);
+    case KeyKind::quantity:
+      return quantity_schema();
+    case KeyKind::number:
+      return {{"anyOf", {number_schema(key, "number"), {{"type", "string"}, {"pattern", "%\\s*$"}}}}};
+    case KeyKind::integer:
+      return number_schema(key, "integer");
+    case KeyKind::boolean:
+      return {{"type", "boolean"}};
+    case KeyKind::choice:
+      return {{"enum", key.choices}};
+    case KeyKind::choices:
+      return list_of({{"enum", key.choices}}, key.length);
     case KeyKind::text:
-    case KeyKind::name: return {{"type", "string"}};
-    case KeyKind::names: return list_of({{"type", "string"}}, key.length);
-    case KeyKind::quantities: return list_of(quantity_schema(), key.length);
-    case KeyKind::numbers: return list_of(number_schema(key, "number"), key.length);
-    case KeyKind::vector: return list_of(quantity_schema(), axes);
-    case KeyKind::direction: return list_of({{"type", "number"}}, axes);
+    case KeyKind::name:
+      return {{"type", "string"}};
+    case KeyKind::names:
+      return list_of({{"type", "string"}}, key.length);
+    case KeyKind::quantities:
+      return list_of(quantity_schema(), key.length);
+    case KeyKind::numbers:
+      return list_of(number_schema(key, "number"), key.length);
+    case KeyKind::vector:
+      return list_of(quantity_schema(), axes);
+    case KeyKind::direction:
+      return list_of({{"type", "number"}}, axes);
   }
   return {};
 }
 
 Json key_schema(const Key& key) {
   Json schema{{"description", key.help}};
-  for (const auto& [name, value] : value_schema(key).items()) schema[name] = value;
+  schema.update(value_schema(key));
   if (!key.standard.empty()) schema["default"] = as_json(key.standard);
   if (!key.example.empty()) schema["examples"] = Json::array({as_json(key.example)});
   return schema;
@@ -98,7 +118,8 @@ Json required_where(const Condition& condition, const std::vector<const Key*>& k
     if (key->presence == Presence::one_of && leaf < key->partner)
       then["oneOf"] = Json::array({{{"required", {leaf}}}, {{"required", {key->partner}}}});
   }
-  return {{"if", {{"properties", {{condition.key, {{"enum", condition.values}}}}}, {"required", {condition.key}}}},
+  return {{"if",
+           {{"properties", {{condition.key, {{"enum", condition.values}}}}}, {"required", {condition.key}}}},
           {"then", then}};
 }
 
@@ -124,7 +145,7 @@ Json table_schema(const std::string& pattern) {
 
 std::string json_schema() {
   Json schema{{"$schema", "https://json-schema.org/draft/2020-12/schema"}, {"title", "pulvis case file"}};
-  for (const auto& [name, value] : table_schema("").items()) schema[name] = value;
+  schema.update(table_schema(""));
   return schema.dump(2) + "\n";
 }
 

@@ -60,23 +60,39 @@ std::string enumerate(const std::vector<std::string>& words, std::string_view la
 std::string describe_kind(const Key& key) {
   const std::string count = key.length > 0 ? fmt::format("{} ", key.length) : "";
   switch (key.kind) {
-    case KeyKind::table: return "a table";
-    case KeyKind::named_tables: return fmt::format("tables [{}.NAME]", key.pattern);
-    case KeyKind::listed_tables: return fmt::format("tables [[{}]]", key.pattern);
-    case KeyKind::quantity: return dimension_with_article(key.dimension) + " with its unit";
-    case KeyKind::number: return "a number";
-    case KeyKind::integer: return "a whole number";
-    case KeyKind::text: return "text";
-    case KeyKind::boolean: return "true or false";
-    case KeyKind::choice: return enumerate(key.choices);
-    case KeyKind::choices: return "a list of any of " + enumerate(key.choices, "and");
-    case KeyKind::name: return fmt::format("a name out of [{}]", key.refers_to);
-    case KeyKind::names: return fmt::format("a list of {}names out of [{}]", count, key.refers_to);
-    case KeyKind::quantities: return fmt::format("a list; each {} with its unit", dimension_with_article(key.dimension));
-    case KeyKind::numbers: return "a list of numbers";
+    case KeyKind::table:
+      return "a table";
+    case KeyKind::named_tables:
+      return fmt::format("tables [{}.NAME]", key.pattern);
+    case KeyKind::listed_tables:
+      return fmt::format("tables [[{}]]", key.pattern);
+    case KeyKind::quantity:
+      return dimension_with_article(key.dimension) + " with its unit";
+    case KeyKind::number:
+      return "a number";
+    case KeyKind::integer:
+      return "a whole number";
+    case KeyKind::text:
+      return "text";
+    case KeyKind::boolean:
+      return "true or false";
+    case KeyKind::choice:
+      return enumerate(key.choices);
+    case KeyKind::choices:
+      return "a list of any of " + enumerate(key.choices, "and");
+    case KeyKind::name:
+      return fmt::format("a name out of [{}]", key.refers_to);
+    case KeyKind::names:
+      return fmt::format("a list of {}names out of [{}]", count, key.refers_to);
+    case KeyKind::quantities:
+      return fmt::format("a list; each {} with its unit", dimension_with_article(key.dimension));
+    case KeyKind::numbers:
+      return "a list of numbers";
     case KeyKind::vector:
-      return fmt::format("a list of three (x, y, z); each {} with its unit", dimension_with_article(key.dimension));
-    case KeyKind::direction: return "a list of three numbers (x, y, z), not all zero; only the direction counts";
+      return fmt::format("a list of three (x, y, z); each {} with its unit",
+                         dimension_with_article(key.dimension));
+    case KeyKind::direction:
+      return "a list of three numbers (x, y, z), not all zero; only the direction counts";
   }
   return "";
 }
@@ -119,7 +135,8 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
 }
 
 std::string lower(std::string text) {
-  for (char& c : text) c = c == '-' || c == ' ' ? '_' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  for (char& c : text)
+    c = c == '-' || c == ' ' ? '_' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return text;
 }
 

@@ -8,7 +8,7 @@
 #include "case/units.hpp"
 
 // The declaration of every key of a case file. Validation, `explain`, the reference page and the JSON
-// Schema are made from it; there is no second list. To add a key: add its row in key_table.cpp and read
+// Schema are made from it; there is no second list. To add a key: add its row in key_table_*.cpp and read
 // it in build.cpp.
 namespace pulvis::case_file {
 
@@ -55,18 +55,18 @@ struct Condition {
 };
 
 struct Key {
-  std::string pattern{}; ///< "materials.*.density", "phases[].until"
+  std::string pattern{};  ///< "materials.*.density", "phases[].until"
   KeyKind kind = KeyKind::table;
-  Dimension dimension{};           ///< quantity, quantities, vector
-  std::string example{};           ///< as written in TOML
+  Dimension dimension{};  ///< quantity, quantities, vector
+  std::string example{};  ///< as written in TOML
   Presence presence = Presence::optional;
-  std::string standard{};           ///< the default, as written in TOML; empty: none
-  std::string when_unset{};         ///< in words, what holds if there is no `standard`
-  Range range{};                   ///< of numbers and quantities
-  std::size_t length = 0;          ///< of a list; 0: any
+  std::string standard{};    ///< the default, as written in TOML; empty: none
+  std::string when_unset{};  ///< in words, what holds if there is no `standard`
+  Range range{};             ///< of numbers and quantities
+  std::size_t length = 0;    ///< of a list; 0: any
   std::vector<std::string> choices{};
-  std::string refers_to{};          ///< named table whose names are meant
-  std::string partner{};            ///< key beside this one that excludes it
+  std::string refers_to{};  ///< named table whose names are meant
+  std::string partner{};    ///< key beside this one that excludes it
   Condition only_when{};
   std::string help{};
 };

@@ -60,7 +60,8 @@ void set_places(Value& value, const Place& whole, int shift) {
 }
 
 int length_of(std::string_view text) {
-  return static_cast<int>(std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+  return static_cast<int>(std::count_if(
+      text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
 }
 
 // TOML if it is that and one value only; else the text as it stands.
@@ -88,7 +89,9 @@ class Walk {
     Value* at = &root;
     for (const Step& step : steps) {
       const bool last = &step == &steps.back();
-      at = step.index ? element(*at, *step.index) : at->kind == Value::Kind::list ? named_element(*at, step.key) : member(*at, step.key, last);
+      at = step.index                      ? element(*at, *step.index)
+           : at->kind == Value::Kind::list ? named_element(*at, step.key)
+                                           : member(*at, step.key, last);
       if (at == nullptr) return;
     }
     *at = std::move(value);
@@ -100,8 +103,8 @@ class Walk {
     return nullptr;
   }
 
-  // Of a table: the value of a key, made if it is not there. A name is not made on the way: "powders.nosuch.keep"
-  // is a typing error and no new powder.
+  // Of a table: the value of a key, made if it is not there. A name is not made on the way:
+  // "powders.nosuch.keep" is a typing error and no new powder.
   Value* member(Value& table, const std::string& key, bool last) {
     if (table.kind != Value::Kind::table)
       return fail(fmt::format("{} is {}", path_, kind_with_article(table.kind)), "it holds no keys");
@@ -111,7 +114,9 @@ class Walk {
       for (const Entry& other : table.entries) names.push_back(other.key);
       const auto guess = nearest(key, names);
       return fail(fmt::format("there is no \"{}\" in [{}]", key, path_),
-                  guess ? fmt::format("did you mean \"{}\"?", *guess) : names.empty() ? "" : "expected " + enumerate(names));
+                  guess           ? fmt::format("did you mean \"{}\"?", *guess)
+                  : names.empty() ? ""
+                                  : "expected " + enumerate(names));
     }
     path_ += (path_.empty() ? "" : ".") + key;
     if (entry == nullptr) {
@@ -136,7 +141,7 @@ class Walk {
     }
     const auto guess = nearest(name, names);
     return fail(fmt::format("there is no \"{}\" in [[{}]]", name, path_),
-                guess             ? fmt::format("did you mean \"{}\"?", *guess)
+                guess           ? fmt::format("did you mean \"{}\"?", *guess)
                 : names.empty() ? fmt::format("expected an index, e.g. {}[0]", path_)
                                 : "expected " + enumerate(names));
   }
@@ -153,8 +158,9 @@ class Walk {
 
   static bool has_names(const std::string& path) {
     const auto& keys = keys_in("");
-    return std::any_of(keys.begin(), keys.end(),
-                       [&](const Key* key) { return key->kind == KeyKind::named_tables && key->pattern == path; });
+    return std::any_of(keys.begin(), keys.end(), [&](const Key* key) {
+      return key->kind == KeyKind::named_tables && key->pattern == path;
+    });
   }
 
   Place place_;
@@ -172,7 +178,8 @@ void apply_overrides(const std::vector<Override>& overrides, Value& root, Proble
     const Place value_place{source, 1, key_length + 2, std::max(1, length_of(given.value))};
     const auto steps = steps_of(given.key);
     if (!steps) {
-      problems.add(key_place, "this addresses no key", "expected e.g. powders.mo.coarse_graining or phases[2].cycles");
+      problems.add(key_place, "this addresses no key",
+                   "expected e.g. powders.mo.coarse_graining or phases[2].cycles");
       continue;
     }
     Walk(key_place, problems).assign(root, *steps, value_of(given, value_place));

@@ -16,11 +16,13 @@ void names_once(const Section& root, ProblemList& problems) {
     if (name == nullptr) continue;
     const std::string& text = name->texts.front();
     const auto plain = [](unsigned char c) {
-      return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
+      return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+             c == '-';
     };
     // It stands in paths of --set and in the results.
     if (text.empty() || text.size() > 64 || !std::all_of(text.begin(), text.end(), plain))
-      problems.add(name->place, name->path + " is no name", "expected at most 64 letters a to z, digits, _ or -");
+      problems.add(name->place, name->path + " is no name",
+                   "expected at most 64 letters a to z, digits, _ or -");
     if (!seen.insert(text).second)
       problems.add(name->place, fmt::format("{}: there is a phase \"{}\" before", name->path, text),
                    "each phase has a name of its own");
@@ -33,12 +35,14 @@ void has_what_it_waits_for(const Section& phase, const Section& root, ProblemLis
   const std::string& criterion = until->texts.front();
   const Setting *sources = phase.find("sources"), *motions = phase.find("motions");
   if (criterion == "inserted" && sources != nullptr && sources->texts.empty())
-    problems.add(until->place, phase.path + " waits for its sources and has none", "expected e.g. sources = [\"rain\"]");
+    problems.add(until->place, phase.path + " waits for its sources and has none",
+                 "expected e.g. sources = [\"rain\"]");
   if (criterion == "cycles" && motions != nullptr && motions->texts.empty())
-    problems.add(until->place, phase.path + " waits for cycles and has no motion", "expected e.g. motions = [\"shaking\"]");
+    problems.add(until->place, phase.path + " waits for cycles and has no motion",
+                 "expected e.g. motions = [\"shaking\"]");
   const Section& measures = root.table("measures");
-  const bool measured = measures.settings.contains("die") || measures.table("region").given ||
-                        !walls_with_inside(root).empty();
+  const bool measured =
+      measures.settings.contains("die") || measures.table("region").given || !walls_with_inside(root).empty();
   if (criterion == "mass" && !measured)
     problems.add(until->place, phase.path + " waits for a mass, and nothing says where it is measured",
                  "expected [measures] with die or region");
@@ -46,7 +50,8 @@ void has_what_it_waits_for(const Section& phase, const Section& root, ProblemLis
 
 void in_time(const Section& phase, ProblemList& problems) {
   const Setting *at_least = phase.find("at_least"), *limit = phase.find("time_limit");
-  if (at_least == nullptr || limit == nullptr || !at_least->given || at_least->numbers[0] < limit->numbers[0]) return;
+  if (at_least == nullptr || limit == nullptr || !at_least->given || at_least->numbers[0] < limit->numbers[0])
+    return;
   problems.add(at_least->place,
                fmt::format("{} is not below {}: {}", at_least->path, limit->path,
                            format_quantity(at_least->numbers[0], dimension::time)),
@@ -57,8 +62,10 @@ void in_time(const Section& phase, ProblemList& problems) {
 void sources_are_opened(const Section& root, ProblemList& problems) {
   std::set<std::string> opened;
   for (const Section& phase : root.group("phases")) {
-    if (phase.settings.contains("sources") && phase.find("sources") == nullptr) return;  // wrong; reported there
-    if (const Setting* sources = phase.find("sources")) opened.insert(sources->texts.begin(), sources->texts.end());
+    if (phase.settings.contains("sources") && phase.find("sources") == nullptr)
+      return;  // wrong; reported there
+    if (const Setting* sources = phase.find("sources"))
+      opened.insert(sources->texts.begin(), sources->texts.end());
   }
   if (root.group("phases").empty()) return;
   for (const Section& source : root.group("sources"))
@@ -70,14 +77,17 @@ void sources_are_opened(const Section& root, ProblemList& problems) {
 // A wall that is to move does so only in phases that run its motion.
 void motions_are_used(const Section& root, ProblemList& problems) {
   std::set<std::string> moving;
-  for (const Section& wall : root.group("walls"))
+  for (const Section& wall : root.group("walls")) {
+    if (wall.settings.contains("motion") && wall.find("motion") == nullptr) return;  // wrong; reported there
     if (const std::string* motion = wall.optional_text("motion")) moving.insert(*motion);
+  }
   for (const Section& phase : root.group("phases")) {
     const Setting* motions = phase.find("motions");
     if (motions == nullptr) continue;
     for (std::size_t i = 0; i < motions->texts.size(); ++i)
       if (!moving.contains(motions->texts[i]))
-        problems.add(motions->item_places[i], fmt::format("{}: no wall has the motion \"{}\"", motions->path, motions->texts[i]),
+        problems.add(motions->item_places[i],
+                     fmt::format("{}: no wall has the motion \"{}\"", motions->path, motions->texts[i]),
                      fmt::format("expected motion = \"{}\" in a wall", motions->texts[i]));
   }
 }

@@ -28,11 +28,13 @@ std::vector<std::string_view> characters(std::string_view line) {
 }
 
 Excerpt excerpt(const Problem& problem) {
-  constexpr std::size_t before = 60, after = 80;  // characters kept beside the start of the underlined part
+  constexpr std::size_t whole = 120;              // characters of a line that is shown as it is
+  constexpr std::size_t before = 40, after = 80;  // of a longer one, beside the start of the underlined part
   const std::vector<std::string_view> line = characters(problem.source_line);
   const std::size_t start = std::min(line.size(), static_cast<std::size_t>(std::max(1, problem.column) - 1));
-  const std::size_t first = start > before + 3 ? start - before : 0;
-  const std::size_t last = line.size() > start + after + 3 ? start + after : line.size();
+  const bool is_long = line.size() > whole;
+  const std::size_t first = is_long && start > before + 3 ? start - before : 0;
+  const std::size_t last = is_long && line.size() > start + after + 3 ? start + after : line.size();
 
   Excerpt result;
   if (first > 0) result.text = result.padding = "...";
@@ -57,8 +59,8 @@ std::string format_problem(const Problem& problem) {
   std::string text = fmt::format("{}: error: {}\n", place, problem.message);
   const Excerpt shown = excerpt(problem);
   const std::string number = problem.line > 0 ? fmt::format("{:>4} | ", problem.line) : "     | ";
-  const std::size_t carets =
-      std::clamp<std::size_t>(static_cast<std::size_t>(std::max(1, problem.length)), 1, std::max<std::size_t>(1, shown.width));
+  const std::size_t carets = std::clamp<std::size_t>(static_cast<std::size_t>(std::max(1, problem.length)), 1,
+                                                     std::max<std::size_t>(1, shown.width));
   text += fmt::format("{}{}\n", number, shown.text);
   text += fmt::format("     | {}{}", shown.padding, std::string(carets, '^'));
   if (!problem.expected.empty()) text += " " + problem.expected;

@@ -27,7 +27,8 @@ std::string format_problem(const Problem& problem);
 /// A case that is wrong: all its problems in one go. `what()` is all of them formatted.
 class CaseError : public Failure {
  public:
-  explicit CaseError(std::vector<Problem> all) : Failure(Exit::bad_case, text_of(all)), problems(std::move(all)) {}
+  explicit CaseError(std::vector<Problem> all)
+      : Failure(Exit::bad_case, text_of(all)), problems(std::move(all)) {}
   std::vector<Problem> problems;
 
  private:

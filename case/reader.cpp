@@ -20,7 +20,7 @@ namespace {
 using namespace case_file;
 
 // Text to checked sections; throws with all problems found on the way.
-Section checked_sections(const std::string& text, const std::string& name, const std::vector<Override>& overrides,
+Section checked_sections(const std::string& text, const std::vector<Override>& overrides,
                          ProblemList& problems) {
   auto parsed = parse_toml(text);
   if (const SyntaxError* error = std::get_if<SyntaxError>(&parsed)) {
@@ -58,9 +58,10 @@ std::string text_of_file(const std::string& path) {
 
 }  // namespace
 
-Case read_case_text(const std::string& text, const std::string& name, const std::vector<Override>& overrides) {
+Case read_case_text(const std::string& text, const std::string& name,
+                    const std::vector<Override>& overrides) {
   ProblemList problems(name, text);
-  Case result = build_case(checked_sections(text, name, overrides, problems), name);
+  Case result = build_case(checked_sections(text, overrides, problems), name);
   result.file = name;
   result.text = text;
   return result;
@@ -73,12 +74,13 @@ Case read_case(const std::string& path, const std::vector<Override>& overrides) 
 std::vector<ResolvedKey> resolved(const std::string& text, const std::string& name,
                                   const std::vector<Override>& overrides) {
   ProblemList problems(name, text);
-  const Section root = checked_sections(text, name, overrides, problems);
+  const Section root = checked_sections(text, overrides, problems);
   std::vector<const Setting*> settings;
   list_settings(root, settings);
   std::vector<ResolvedKey> result;
   for (const Setting* setting : settings)
-    result.push_back({setting->path, setting->written, setting->given ? problems.describe(setting->place) : "default"});
+    result.push_back(
+        {setting->path, setting->written, setting->given ? problems.describe(setting->place) : "default"});
   return result;
 }
 

@@ -14,7 +14,8 @@ namespace pulvis {
 Case read_case(const std::string& path, const std::vector<Override>& overrides = {});
 
 /// The same for a text; `name` stands for the file in messages, and paths in the case are seen from it.
-Case read_case_text(const std::string& text, const std::string& name, const std::vector<Override>& overrides = {});
+Case read_case_text(const std::string& text, const std::string& name,
+                    const std::vector<Override>& overrides = {});
 
 /// A key of a case with its value and where that comes from.
 struct ResolvedKey {

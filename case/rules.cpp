@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -21,10 +22,11 @@ void corners_in_order(const Section& section, ProblemList& problems) {
   if (min == nullptr || max == nullptr) return;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (min->numbers[axis] < max->numbers[axis]) continue;
-    problems.add(max->item_places[axis],
-                 fmt::format("{} is not above {}.min along {}: {} and {}", max->path, section.path, axis_names[axis],
-                             length_text(max->numbers[axis]), length_text(min->numbers[axis])),
-                 "expected min < max along each axis");
+    problems.add(
+        max->item_places[axis],
+        fmt::format("{} is not above {}.min along {}: {} and {}", max->path, section.path, axis_names[axis],
+                    length_text(max->numbers[axis]), length_text(min->numbers[axis])),
+        "expected min < max along each axis");
   }
 }
 
@@ -37,8 +39,10 @@ bool is_shape(const Section& section, const std::string& shape) {
 void inside_domain(const Section& region, const Section& domain, ProblemList& problems) {
   const Setting *low = domain.find("min"), *high = domain.find("max");
   const Setting *min = region.find("min"), *max = region.find("max");
-  if (!is_shape(region, "box") || low == nullptr || high == nullptr || min == nullptr || max == nullptr) return;
+  if (!is_shape(region, "box") || low == nullptr || high == nullptr || min == nullptr || max == nullptr)
+    return;
   for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (low->numbers[axis] >= high->numbers[axis]) continue;  // reported at the domain
     const bool below = min->numbers[axis] < low->numbers[axis];
     if (!below && max->numbers[axis] <= high->numbers[axis]) continue;
     const Setting& wrong = below ? *min : *max;
@@ -46,8 +50,8 @@ void inside_domain(const Section& region, const Section& domain, ProblemList& pr
     problems.add(wrong.item_places[axis],
                  fmt::format("{} lies outside the domain along {}: {}", wrong.path, axis_names[axis],
                              length_text(wrong.numbers[axis])),
-                 fmt::format("expected {} {} ({})", below ? "at least" : "at most", length_text(bound.numbers[axis]),
-                             bound.path));
+                 fmt::format("expected {} {} ({})", below ? "at least" : "at most",
+                             length_text(bound.numbers[axis]), bound.path));
   }
 }
 
@@ -64,12 +68,13 @@ void pairs_once(const Section& root, ProblemList& problems) {
   }
 }
 
-void not_below(const Section& section, const std::string& small, const std::string& large, ProblemList& problems) {
+void not_below(const Section& section, const std::string& small, const std::string& large,
+               ProblemList& problems) {
   const Setting *low = section.find(small), *high = section.find(large);
   if (low == nullptr || high == nullptr || low->numbers[0] < high->numbers[0]) return;
   problems.add(section.place_of(large),
-               fmt::format("{} is not above {}: {} and {}", high->path, low->path, length_text(high->numbers[0]),
-                           length_text(low->numbers[0])),
+               fmt::format("{} is not above {}: {} and {}", high->path, low->path,
+                           length_text(high->numbers[0]), length_text(low->numbers[0])),
                fmt::format("expected {} < {}", small, large));
 }
 
@@ -80,8 +85,8 @@ void sizes(const Section& powder, ProblemList& problems) {
   if (diameters != nullptr) {
     for (std::size_t i = 1; i < diameters->numbers.size(); ++i) {
       if (diameters->numbers[i - 1] < diameters->numbers[i]) continue;
-      problems.add(diameters->item_places[i],
-                   diameters->path + " is not ascending", "expected each diameter above the one before");
+      problems.add(diameters->item_places[i], diameters->path + " is not ascending",
+                   "expected each diameter above the one before");
       break;
     }
   }
@@ -94,8 +99,10 @@ void sizes(const Section& powder, ProblemList& problems) {
   const Setting *middle = size.find("diameter"), *low = size.find("smallest"), *high = size.find("largest");
   if (middle == nullptr || low == nullptr || high == nullptr || low->numbers[0] >= high->numbers[0]) return;
   if (middle->numbers[0] >= low->numbers[0] && middle->numbers[0] <= high->numbers[0]) return;
-  problems.add(middle->place, fmt::format("{} is not between the cut-offs: {}", middle->path, length_text(middle->numbers[0])),
-               fmt::format("expected {} to {}", length_text(low->numbers[0]), length_text(high->numbers[0])));
+  problems.add(
+      middle->place,
+      fmt::format("{} is not between the cut-offs: {}", middle->path, length_text(middle->numbers[0])),
+      fmt::format("expected {} to {}", length_text(low->numbers[0]), length_text(high->numbers[0])));
 }
 
 // The table lists the sides of all shapes; each shape has its own.
@@ -106,7 +113,8 @@ void open_sides(const Section& wall, ProblemList& problems) {
   for (std::size_t i = 0; i < open->texts.size(); ++i) {
     const bool of_cylinder = open->texts[i] == "base" || open->texts[i] == "top";
     if (of_cylinder == (*shape == "cylinder")) continue;
-    problems.add(open->item_places[i], fmt::format("{}: a {} has no side \"{}\"", open->path, *shape, open->texts[i]),
+    problems.add(open->item_places[i],
+                 fmt::format("{}: a {} has no side \"{}\"", open->path, *shape, open->texts[i]),
                  *shape == "cylinder" ? "expected \"base\" or \"top\""
                                       : "expected \"-x\", \"+x\", \"-y\", \"+y\", \"-z\" or \"+z\"");
   }
@@ -120,7 +128,8 @@ void what_is_measured(const Section& root, ProblemList& problems) {
   if (const Setting* die = measures.find("die")) {
     const auto wall = index_of(walls, die->texts.front());
     if (wall && is_shape(walls[*wall], "plane"))
-      problems.add(die->place, fmt::format("{}: \"{}\" is a plane and has no inside", die->path, die->texts.front()),
+      problems.add(die->place,
+                   fmt::format("{}: \"{}\" is a plane and has no inside", die->path, die->texts.front()),
                    "expected a wall whose shape is \"box\" or \"cylinder\"");
     return;
   }
@@ -130,6 +139,55 @@ void what_is_measured(const Section& root, ProblemList& problems) {
   for (const std::size_t wall : inside) names.push_back(walls[wall].name);
   problems.add(measures.place, "measures.die is missing: more than one wall has an inside",
                "expected die = " + enumerate(names));
+}
+
+// The largest parcel of all powders; nothing if some powder could not be read.
+std::optional<double> largest_parcel(const Section& root) {
+  double largest = 0.0;
+  for (const Section& powder : root.group("powders")) {
+    const Setting* factor = powder.find("coarse_graining");
+    const Section& size = powder.table("size");
+    const Setting *cut = size.find("largest"), *single = size.find("diameter"),
+                  *table = size.find("diameters");
+    const Setting* diameter = cut != nullptr ? cut : table != nullptr ? table : single;
+    if (factor == nullptr || diameter == nullptr) return std::nullopt;
+    largest = std::max(largest, factor->numbers.front() * diameter->numbers.back());
+  }
+  return largest > 0.0 ? std::optional(largest) : std::nullopt;
+}
+
+// Inner widths of a box or cylinder: along the axes, or across and along.
+std::vector<std::pair<std::string, double>> inner_widths(const Section& wall) {
+  std::vector<std::pair<std::string, double>> widths;
+  const Setting *min = wall.find("min"), *max = wall.find("max");
+  if (min != nullptr && max != nullptr)
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      widths.emplace_back(fmt::format("along {}", axis_names[axis]), max->numbers[axis] - min->numbers[axis]);
+  if (const Setting* radius = wall.find("radius"))
+    widths.emplace_back("across", 2.0 * radius->numbers.front());
+  if (const Setting* height = wall.find("height"))
+    widths.emplace_back("along its axis", height->numbers.front());
+  return widths;
+}
+
+// In a die of less than three parcels there is nothing to measure, and powder arches at once.
+void die_is_wide_enough(const Section& root, ProblemList& problems) {
+  constexpr double least = 3.0;  // parcels
+  const std::string* die = root.table("measures").optional_text("die");
+  const auto parcel = largest_parcel(root);
+  if (!parcel) return;
+  for (const std::size_t index : walls_with_inside(root)) {
+    const Section& wall = root.group("walls")[index];
+    if (die != nullptr && wall.name != *die) continue;
+    for (const auto& [direction, width] : inner_widths(wall)) {
+      if (width >= least * *parcel || width <= 0.0) continue;
+      problems.add(
+          wall.place,
+          fmt::format("{} is only {:.2g} parcels wide {}: {}, and the largest parcel is {}", wall.path,
+                      width / *parcel, direction, length_text(width), length_text(*parcel)),
+          "expected at least 3 parcels; lower coarse_graining or widen the die");
+    }
+  }
 }
 
 void which_powder(const Section& root, ProblemList& problems) {
@@ -168,10 +226,12 @@ void check_rules(const Section& root, ProblemList& problems) {
     inside_domain(region, root.table("domain"), problems);
     const std::string* kind = source.optional_text("kind");
     if (kind != nullptr && *kind == "rain" && is_shape(region, "cylinder"))
-      problems.add(region.place_of("shape"), region.path + ".shape: rain falls out of a box", "expected \"box\"");
+      problems.add(region.place_of("shape"), region.path + ".shape: rain falls out of a box",
+                   "expected \"box\"");
   }
   which_powder(root, problems);
   what_is_measured(root, problems);
+  die_is_wide_enough(root, problems);
   check_phase_rules(root, problems);
 }
 

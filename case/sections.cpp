@@ -65,7 +65,8 @@ const Section& Section::table(const std::string& key) const { return tables.at(k
 const std::vector<Section>& Section::group(const std::string& key) const { return groups.at(key); }
 
 std::optional<std::size_t> index_of(const std::vector<Section>& group, const std::string& name) {
-  const auto found = std::find_if(group.begin(), group.end(), [&](const Section& s) { return s.name == name; });
+  const auto found =
+      std::find_if(group.begin(), group.end(), [&](const Section& s) { return s.name == name; });
   if (found == group.end()) return std::nullopt;
   return static_cast<std::size_t>(found - group.begin());
 }

@@ -16,13 +16,13 @@ namespace pulvis::case_file {
 /// One key of a case that has a value.
 struct Setting {
   const Key* key = nullptr;
-  std::string path;      ///< "materials.steel.density"
-  bool given = false;    ///< in the file or by an override; otherwise it is the default
-  bool valid = false;    ///< the value could be read; if not, that has been reported
-  Place place;           ///< of the value, if given
-  Place key_place;       ///< of the key, if given
-  std::string written;   ///< the value as TOML
-  std::vector<double> numbers;     ///< SI; one for a number, three for a vector
+  std::string path;             ///< "materials.steel.density"
+  bool given = false;           ///< in the file or by an override; otherwise it is the default
+  bool valid = false;           ///< the value could be read; if not, that has been reported
+  Place place;                  ///< of the value, if given
+  Place key_place;              ///< of the key, if given
+  std::string written;          ///< the value as TOML
+  std::vector<double> numbers;  ///< SI; one for a number, three for a vector
   std::int64_t integer = 0;
   bool flag = false;
   std::vector<std::string> texts;  ///< one for a text, a choice, a name
@@ -31,8 +31,8 @@ struct Setting {
 
 /// One table of a case. Where a table was not given, it stands there with its defaults.
 struct Section {
-  std::string name;   ///< "steel"; of a listed table, its index
-  std::string path;   ///< "materials.steel", "phases[2]"
+  std::string name;  ///< "steel"; of a listed table, its index
+  std::string path;  ///< "materials.steel", "phases[2]"
   std::string pattern;
   bool given = false;
   Place place;  ///< of the header or the key

@@ -47,16 +47,20 @@ bool SettingReader::element(const Value& value, Setting& setting) const {
   switch (setting.key->kind) {
     case KeyKind::quantity:
     case KeyKind::quantities:
-    case KeyKind::vector: return quantity(value, setting);
+    case KeyKind::vector:
+      return quantity(value, setting);
     case KeyKind::number:
     case KeyKind::numbers:
-    case KeyKind::direction: return plain_number(value, setting);
-    case KeyKind::integer: return whole_number(value, setting);
+    case KeyKind::direction:
+      return plain_number(value, setting);
+    case KeyKind::integer:
+      return whole_number(value, setting);
     case KeyKind::boolean:
       if (value.kind != Value::Kind::boolean) return wrong_kind(value, setting), false;
       setting.flag = value.boolean;
       return true;
-    default: return word(value, setting);
+    default:
+      return word(value, setting);
   }
 }
 
@@ -64,7 +68,8 @@ bool SettingReader::quantity(const Value& value, Setting& setting) const {
   const Key& key = *setting.key;
   if (value.kind == Value::Kind::number || value.kind == Value::Kind::integer) {
     const std::string number = written(value);
-    if (!std::isfinite(value.number)) return wrong_quantity(value, setting, number + " is no finite number", ""), false;
+    if (!std::isfinite(value.number))
+      return wrong_quantity(value, setting, number + " is no finite number", ""), false;
     return wrong_quantity(value, setting, fmt::format("{} has no unit", number), number), false;
   }
   if (value.kind != Value::Kind::text) return wrong_kind(value, setting), false;
@@ -73,7 +78,8 @@ bool SettingReader::quantity(const Value& value, Setting& setting) const {
   const Dimension& found = reading.quantity->dimension;
   if (!(found == key.dimension)) {
     const bool bare = found == dimension::none;
-    const std::string why = bare ? quoted(value) + " has no unit" : quoted(value) + " is " + dimension_with_article(found);
+    const std::string why =
+        bare ? quoted(value) + " has no unit" : quoted(value) + " is " + dimension_with_article(found);
     return wrong_quantity(value, setting, why, bare ? reading.number : ""), false;
   }
   if (!in_range(reading.quantity->value, value, setting)) return false;
@@ -84,23 +90,27 @@ bool SettingReader::quantity(const Value& value, Setting& setting) const {
 void SettingReader::wrong_quantity(const Value& value, const Setting& setting, const std::string& why,
                                    const std::string& number) const {
   const std::string unit = example_unit(*setting.key);
-  const std::string example = number.empty() || unit.empty() ? setting.key->example : fmt::format("\"{} {}\"", number, unit);
-  problems_.add(value.place,
-                fmt::format("{} is not {}: {}", setting.path, dimension_with_article(setting.key->dimension), why),
-                "expected e.g. " + example);
+  const std::string example =
+      number.empty() || unit.empty() ? setting.key->example : fmt::format("\"{} {}\"", number, unit);
+  problems_.add(
+      value.place,
+      fmt::format("{} is not {}: {}", setting.path, dimension_with_article(setting.key->dimension), why),
+      "expected e.g. " + example);
 }
 
 bool SettingReader::plain_number(const Value& value, Setting& setting) const {
   double number = value.number;
   if (value.kind == Value::Kind::text && value.text.find('%') != std::string::npos) {
     const QuantityReading reading = read_quantity(value.text);
-    if (!reading.quantity || !(reading.quantity->dimension == dimension::none)) return wrong_kind(value, setting), false;
+    if (!reading.quantity || !(reading.quantity->dimension == dimension::none))
+      return wrong_kind(value, setting), false;
     number = reading.quantity->value;
   } else if (value.kind != Value::Kind::number && value.kind != Value::Kind::integer) {
     return wrong_kind(value, setting), false;
   }
   if (!std::isfinite(number)) {
-    problems_.add(value.place, fmt::format("{} is no finite number", setting.path), "expected e.g. " + setting.key->example);
+    problems_.add(value.place, fmt::format("{} is no finite number", setting.path),
+                  "expected e.g. " + setting.key->example);
     return false;
   }
   if (!in_range(number, value, setting)) return false;
@@ -112,7 +122,8 @@ bool SettingReader::whole_number(const Value& value, Setting& setting) const {
   // 1e6 is a number of the other kind in TOML, but a whole one; beyond 2^53 it may not be what was meant.
   constexpr double exact = 9007199254740992.0;  // 2^53
   std::int64_t integer = value.integer;
-  if (value.kind == Value::Kind::number && std::abs(value.number) <= exact && value.number == std::floor(value.number))
+  if (value.kind == Value::Kind::number && std::abs(value.number) <= exact &&
+      value.number == std::floor(value.number))
     integer = static_cast<std::int64_t>(value.number);
   else if (value.kind != Value::Kind::integer)
     return wrong_kind(value, setting), false;
@@ -131,8 +142,9 @@ bool SettingReader::in_range(double number, const Value& value, const Setting& s
 
 bool SettingReader::word(const Value& value, Setting& setting) const {
   // In an override, a bare 316 may well be a name.
-  const bool bare = value.place.source > 0 && (value.kind == Value::Kind::integer || value.kind == Value::Kind::number ||
-                                               value.kind == Value::Kind::date || value.kind == Value::Kind::boolean);
+  const bool bare =
+      value.place.source > 0 && (value.kind == Value::Kind::integer || value.kind == Value::Kind::number ||
+                                 value.kind == Value::Kind::date || value.kind == Value::Kind::boolean);
   if (value.kind != Value::Kind::text && !bare) return wrong_kind(value, setting), false;
   const std::string text = bare ? written(value) : value.text;
   if (!known(value, text, setting)) return false;
@@ -145,8 +157,9 @@ bool SettingReader::known(const Value& value, const std::string& text, const Set
   if (key.kind == KeyKind::choice || key.kind == KeyKind::choices) {
     if (std::find(key.choices.begin(), key.choices.end(), text) != key.choices.end()) return true;
     const auto guess = nearest(text, key.choices);
-    problems_.add(value.place, fmt::format("{} cannot be {}", setting.path, quoted(value)),
-                  (guess ? fmt::format("did you mean \"{}\"? ", *guess) : "") + "expected " + enumerate(key.choices));
+    problems_.add(
+        value.place, fmt::format("{} cannot be {}", setting.path, quoted(value)),
+        (guess ? fmt::format("did you mean \"{}\"? ", *guess) : "") + "expected " + enumerate(key.choices));
     return false;
   }
   if (key.kind != KeyKind::name && key.kind != KeyKind::names) return true;
@@ -161,7 +174,8 @@ bool SettingReader::known(const Value& value, const std::string& text, const Set
                          : names.empty()         ? fmt::format("expected a table [{}.NAME]", key.refers_to)
                          : names.size() > listed ? fmt::format("expected a name out of [{}]", key.refers_to)
                                                  : "expected " + enumerate(names);
-  problems_.add(value.place, fmt::format("{}: there is no {} in [{}]", setting.path, quoted(value), key.refers_to),
+  problems_.add(value.place,
+                fmt::format("{}: there is no {} in [{}]", setting.path, quoted(value), key.refers_to),
                 std::move(expected));
   return false;
 }
@@ -190,7 +204,8 @@ bool SettingReader::list(const Value& value, Setting& setting) const {
     valid = false;
   }
   const auto zero = [](double number) { return number == 0.0; };
-  if (valid && key.kind == KeyKind::direction && std::all_of(setting.numbers.begin(), setting.numbers.end(), zero)) {
+  if (valid && key.kind == KeyKind::direction &&
+      std::all_of(setting.numbers.begin(), setting.numbers.end(), zero)) {
     problems_.add(value.place, setting.path + " has no direction", "expected e.g. " + key.example);
     valid = false;
   }
@@ -199,10 +214,13 @@ bool SettingReader::list(const Value& value, Setting& setting) const {
 
 void SettingReader::wrong_kind(const Value& value, const Setting& setting) const {
   const bool inside = is_list(setting.key->kind) && value.kind != Value::Kind::list;
-  problems_.add(value.place,
-                fmt::format("{} is {}{}", setting.path, kind_with_article(value.kind),
-                            value.kind == Value::Kind::list || value.kind == Value::Kind::table ? "" : ": " + quoted(value)),
-                fmt::format("expected {}, e.g. {}", inside ? "a list" : describe_kind(*setting.key), setting.key->example));
+  problems_.add(
+      value.place,
+      fmt::format(
+          "{} is {}{}", setting.path, kind_with_article(value.kind),
+          value.kind == Value::Kind::list || value.kind == Value::Kind::table ? "" : ": " + quoted(value)),
+      fmt::format("expected {}, e.g. {}", inside ? "a list" : describe_kind(*setting.key),
+                  setting.key->example));
 }
 
 }  // namespace pulvis::case_file

@@ -10,10 +10,10 @@ namespace pulvis::case_file {
 namespace {
 
 // Limits far above any real case; each bounds a recursion or a cost of the library behind.
-constexpr std::size_t largest_text = 4u << 20;    // bytes
-constexpr std::size_t longest_line = 64u << 10;   // bytes
-constexpr std::size_t deepest_bracket = 32;       // nested lists and inline tables
-constexpr int longest_dotted_key = 16;            // parts
+constexpr std::size_t largest_text = 4u << 20;   // bytes
+constexpr std::size_t longest_line = 64u << 10;  // bytes
+constexpr std::size_t deepest_bracket = 32;      // nested lists and inline tables
+constexpr int longest_dotted_key = 16;           // parts
 
 // The length of the UTF-8 character at the start of `text`, 0 if there is none. Refuses overlong
 // forms, surrogates and values above U+10FFFF (RFC 3629).
@@ -42,7 +42,8 @@ class Scanner {
   }
 
   std::optional<SyntaxError> run(int stop_line, int stop_column) {
-    while (at_ < text_.size() && !error_ && !(line_ > stop_line || (line_ == stop_line && column_ >= stop_column)))
+    while (at_ < text_.size() && !error_ &&
+           !(line_ > stop_line || (line_ == stop_line && column_ >= stop_column)))
       step();
     if (!error_ && at_ >= text_.size()) check_end();
     return error_;
@@ -76,13 +77,16 @@ class Scanner {
     if (c == '\n') return end_line();
     if (length > 1) return at_ += length, ++column_, void();
     switch (inside_) {
-      case Inside::nothing: return outside(c);
-      case Inside::comment: return advance(1);
+      case Inside::nothing:
+        return outside(c);
+      case Inside::comment:
+        return advance(1);
       case Inside::basic:
       case Inside::long_basic:
         if (c == '\\') return escaped();
         [[fallthrough]];
-      default: return in_string(c);
+      default:
+        return in_string(c);
     }
   }
 
@@ -116,8 +120,10 @@ class Scanner {
   void open_string(char quote) {
     opened_ = here();
     const bool is_long = follows(quote == '"' ? "\"\"\"" : "'''");
-    if (quote == '"') inside_ = is_long ? Inside::long_basic : Inside::basic;
-    else inside_ = is_long ? Inside::long_literal : Inside::literal;
+    if (quote == '"')
+      inside_ = is_long ? Inside::long_basic : Inside::basic;
+    else
+      inside_ = is_long ? Inside::long_literal : Inside::literal;
     advance(is_long ? 3 : 1);
   }
 

@@ -81,7 +81,8 @@ SyntaxError syntax_error(std::string_view text, const toml::parse_error& error) 
   if (result.message.find("expected a comment or whitespace") != std::string::npos)
     result.expected = "text and numbers with a unit stand in quotes";
   if (const auto open = open_bracket_at(text, result.place.line, result.place.column))
-    result.expected = fmt::format("the bracket opened at line {}, column {} is not closed here", open->line, open->column);
+    result.expected =
+        fmt::format("the bracket opened at line {}, column {} is not closed here", open->line, open->column);
   return result;
 }
 

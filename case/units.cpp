@@ -103,13 +103,13 @@ bool is_space(char c) { return c == ' ' || c == '\t'; }
 // The typographic spellings are rewritten first; what follows handles ASCII only.
 std::string in_ascii(std::string_view text) {
   static constexpr std::array<std::pair<std::string_view, std::string_view>, 7> spellings{
-      {{"\xC2\xB5", "u"},     // micro sign
-       {"\xCE\xBC", "u"},     // Greek mu
-       {"\xC2\xB7", "*"},     // middle dot
-       {"\xC2\xB2", "^2"},    // superscript two
-       {"\xC2\xB3", "^3"},    // superscript three
-       {"\xC2\xB0", "deg"},   // degree sign
-       {"\xC2\xA0", " "}}};   // space that does not break
+      {{"\xC2\xB5", "u"},    // micro sign
+       {"\xCE\xBC", "u"},    // Greek mu
+       {"\xC2\xB7", "*"},    // middle dot
+       {"\xC2\xB2", "^2"},   // superscript two
+       {"\xC2\xB3", "^3"},   // superscript three
+       {"\xC2\xB0", "deg"},  // degree sign
+       {"\xC2\xA0", " "}}};  // space that does not break
   std::string result;
   while (!text.empty()) {
     std::size_t taken = 1;
@@ -163,7 +163,8 @@ class UnitParser {
       } else if (!blank) {
         break;
       }
-      if (divided && !slash) return fail("a product after \"/\" can be read in two ways; use parentheses"), result;
+      if (divided && !slash)
+        return fail("a product after \"/\" can be read in two ways; use parentheses"), result;
       divided = divided || slash;
       result = product(result, power(factor(depth), slash ? -1 : 1));
     }
@@ -198,7 +199,8 @@ class UnitParser {
     if (caret) ++at_;
     const bool sign = next() == '-' || next() == '+';
     const bool negative = next() == '-';
-    if (!caret && !is_digit(next()) && !(sign && at_ + 1 < text_.size() && is_digit(text_[at_ + 1]))) return unit;
+    if (!caret && !is_digit(next()) && !(sign && at_ + 1 < text_.size() && is_digit(text_[at_ + 1])))
+      return unit;
     if (sign) ++at_;
     const char digit = next();
     if (digit < '1' || digit > '9') return fail("a power is a whole number from -9 to 9, not 0"), unit;
@@ -271,10 +273,12 @@ std::optional<double> scaled(const Decimal& decimal, const Unit& unit) {
 QuantityReading read_quantity(std::string_view written) {
   constexpr std::size_t longest = 100;  // bounds the exponents of a product, and the messages
   QuantityReading reading;
-  if (written.size() > longest) return reading.message = "the text is too long for a number with a unit", reading;
+  if (written.size() > longest)
+    return reading.message = "the text is too long for a number with a unit", reading;
   const std::string ascii = in_ascii(trimmed(written));
   const Decimal decimal = read_decimal(ascii);
-  if (decimal.length == 0) return reading.message = fmt::format("\"{}\" does not start with a number", written), reading;
+  if (decimal.length == 0)
+    return reading.message = fmt::format("\"{}\" does not start with a number", written), reading;
   reading.number = ascii.substr(0, decimal.length);
   const std::string_view rest = trimmed(std::string_view(ascii).substr(decimal.length));
   if (rest.starts_with(',')) return reading.message = "a decimal point is due, not a comma", reading;
@@ -304,8 +308,12 @@ struct Display {
 const std::vector<Display>& displays() {
   static const std::vector<Display> table{
       {dimension::none, "number", {{1, ""}}},
-      {dimension::mass, "mass", {{1e-15, "pg"}, {1e-12, "ng"}, {1e-9, "ug"}, {1e-6, "mg"}, {1e-3, "g"}, {1, "kg"}, {1e3, "t"}}},
-      {dimension::length, "length", {{1e-12, "pm"}, {1e-9, "nm"}, {1e-6, "um"}, {1e-3, "mm"}, {1, "m"}, {1e3, "km"}}},
+      {dimension::mass,
+       "mass",
+       {{1e-15, "pg"}, {1e-12, "ng"}, {1e-9, "ug"}, {1e-6, "mg"}, {1e-3, "g"}, {1, "kg"}, {1e3, "t"}}},
+      {dimension::length,
+       "length",
+       {{1e-12, "pm"}, {1e-9, "nm"}, {1e-6, "um"}, {1e-3, "mm"}, {1, "m"}, {1e3, "km"}}},
       {dimension::area, "area", {{1e-12, "um^2"}, {1e-6, "mm^2"}, {1, "m^2"}}},
       {dimension::volume, "volume", {{1e-18, "um^3"}, {1e-9, "mm^3"}, {1e-6, "cm^3"}, {1, "m^3"}}},
       {dimension::time, "time", {{1e-12, "ps"}, {1e-9, "ns"}, {1e-6, "us"}, {1e-3, "ms"}, {1, "s"}}},
@@ -313,11 +321,17 @@ const std::vector<Display>& displays() {
       {dimension::speed, "speed", {{1e-6, "um/s"}, {1e-3, "mm/s"}, {1, "m/s"}}},
       {dimension::acceleration, "acceleration", {{1e-3, "mm/s^2"}, {1, "m/s^2"}}},
       {dimension::density, "density", {{1, "kg/m^3"}, {1e3, "g/cm^3"}}},
-      {dimension::force, "force", {{1e-12, "pN"}, {1e-9, "nN"}, {1e-6, "uN"}, {1e-3, "mN"}, {1, "N"}, {1e3, "kN"}}},
+      {dimension::force,
+       "force",
+       {{1e-12, "pN"}, {1e-9, "nN"}, {1e-6, "uN"}, {1e-3, "mN"}, {1, "N"}, {1e3, "kN"}}},
       {dimension::pressure, "pressure", {{1, "Pa"}, {1e3, "kPa"}, {1e6, "MPa"}, {1e9, "GPa"}}},
-      {dimension::energy, "energy", {{1e-15, "fJ"}, {1e-12, "pJ"}, {1e-9, "nJ"}, {1e-6, "uJ"}, {1e-3, "mJ"}, {1, "J"}}},
+      {dimension::energy,
+       "energy",
+       {{1e-15, "fJ"}, {1e-12, "pJ"}, {1e-9, "nJ"}, {1e-6, "uJ"}, {1e-3, "mJ"}, {1, "J"}}},
       {dimension::surface_energy, "surface energy", {{1e-6, "uJ/m^2"}, {1e-3, "mJ/m^2"}, {1, "J/m^2"}}},
-      {dimension::mass_rate, "mass rate", {{1e-12, "ng/s"}, {1e-9, "ug/s"}, {1e-6, "mg/s"}, {1e-3, "g/s"}, {1, "kg/s"}}},
+      {dimension::mass_rate,
+       "mass rate",
+       {{1e-12, "ng/s"}, {1e-9, "ug/s"}, {1e-6, "mg/s"}, {1e-3, "g/s"}, {1, "kg/s"}}},
       {dimension::angle, "angle", {{1.0 / 360.0, "deg"}}},
   };
   return table;
@@ -333,7 +347,8 @@ std::string base_units(const Dimension& dimension) {
   std::string text;
   const auto append = [&](std::string_view symbol, int exponent) {
     if (exponent == 0) return;
-    text += fmt::format("{}{}{}", text.empty() ? "" : " ", symbol, exponent == 1 ? "" : fmt::format("^{}", exponent));
+    text += fmt::format("{}{}{}", text.empty() ? "" : " ", symbol,
+                        exponent == 1 ? "" : fmt::format("^{}", exponent));
   };
   append("kg", dimension.kilogram);
   append("m", dimension.metre);
@@ -351,7 +366,8 @@ std::string format_quantity(double value, const Dimension& dimension, int digits
   double factor = display->units.front().first;
   std::string_view symbol = display->units.front().second;
   for (const auto& [candidate, name] : display->units)
-    if (std::abs(value) >= candidate * (1 - 1e-12) || (value == 0.0 && candidate <= 1.0)) factor = candidate, symbol = name;
+    if (std::abs(value) >= candidate * (1 - 1e-12) || (value == 0.0 && candidate <= 1.0))
+      factor = candidate, symbol = name;
   return fmt::format("{:.{}g}{}{}", value / factor, digits, symbol.empty() ? "" : " ", symbol);
 }
 

@@ -9,7 +9,8 @@
 namespace pulvis::case_file {
 
 const Entry* Value::find(const std::string& key) const {
-  const auto found = std::find_if(entries.begin(), entries.end(), [&](const Entry& e) { return e.key == key; });
+  const auto found =
+      std::find_if(entries.begin(), entries.end(), [&](const Entry& e) { return e.key == key; });
   return found == entries.end() ? nullptr : &*found;
 }
 
@@ -17,13 +18,20 @@ Entry* Value::find(const std::string& key) { return const_cast<Entry*>(std::as_c
 
 std::string kind_with_article(Value::Kind kind) {
   switch (kind) {
-    case Value::Kind::text: return "text";
-    case Value::Kind::integer: return "a whole number";
-    case Value::Kind::number: return "a number";
-    case Value::Kind::boolean: return "true or false";
-    case Value::Kind::list: return "a list";
-    case Value::Kind::table: return "a table";
-    case Value::Kind::date: return "a date";
+    case Value::Kind::text:
+      return "text";
+    case Value::Kind::integer:
+      return "a whole number";
+    case Value::Kind::number:
+      return "a number";
+    case Value::Kind::boolean:
+      return "true or false";
+    case Value::Kind::list:
+      return "a list";
+    case Value::Kind::table:
+      return "a table";
+    case Value::Kind::date:
+      return "a date";
   }
   return "a value";
 }
@@ -34,9 +42,12 @@ std::string quoted(const std::string& text) {
   std::string result = "\"";
   for (const char c : text) {
     if (c == '"' || c == '\\') result += '\\';
-    if (c == '\n') result += "\\n";
-    else if (static_cast<unsigned char>(c) < 0x20) result += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
-    else result += c;
+    if (c == '\n')
+      result += "\\n";
+    else if (static_cast<unsigned char>(c) < 0x20)
+      result += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
+    else
+      result += c;
   }
   return result + '"';
 }
@@ -45,11 +56,21 @@ std::string quoted(const std::string& text) {
 void append(const Value& value, std::size_t room, std::string& text) {
   if (text.size() > room) return;
   switch (value.kind) {
-    case Value::Kind::text: text += quoted(value.text); return;
-    case Value::Kind::integer: text += fmt::format("{}", value.integer); return;
-    case Value::Kind::number: text += fmt::format("{}", value.number); return;
-    case Value::Kind::boolean: text += value.boolean ? "true" : "false"; return;
-    case Value::Kind::date: text += value.text; return;
+    case Value::Kind::text:
+      text += quoted(value.text);
+      return;
+    case Value::Kind::integer:
+      text += fmt::format("{}", value.integer);
+      return;
+    case Value::Kind::number:
+      text += fmt::format("{}", value.number);
+      return;
+    case Value::Kind::boolean:
+      text += value.boolean ? "true" : "false";
+      return;
+    case Value::Kind::date:
+      text += value.text;
+      return;
     case Value::Kind::list: {
       text += "[";
       for (const Value& item : value.items) {

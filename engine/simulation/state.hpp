@@ -31,7 +31,7 @@ struct MotionState {
 };
 
 /// Where the procedure is: which phase, since when.
-struct Progress {
+struct PhaseProgress {
   std::uint32_t phase = 0;
   std::uint64_t phase_start = 0;  ///< step
 };
@@ -48,7 +48,7 @@ struct State {
   std::uint32_t next_id = 0;
   Ledger ledger;
   std::vector<Escape> escapes;
-  Progress progress;
+  PhaseProgress progress;
 };
 
 /// Bytes of a state, with a magic number, a version and a checksum.

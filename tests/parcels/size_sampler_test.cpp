@@ -152,7 +152,7 @@ const std::vector<NamedLaw> continuous_laws = {
     {"LognormalWide", lognormal_law(1e-4, 2.5, 1e-5, 1e-3)},
 };
 INSTANTIATE_TEST_SUITE_P(Sizes, ContinuousLaws, ::testing::ValuesIn(continuous_laws),
-                         [](const auto& info) { return info.param.name; });
+                         [](const auto& law) { return law.param.name; });
 
 TEST(SizeSampler, HasTheClosedFormsOfAnUncutLognormalLaw) {
   const double sigma = std::log(1.3);

@@ -40,9 +40,11 @@ struct Jkr {
   };
 
   static Pair mix(const MaterialPair& pair, const Choices&) {
-    const double ratio = 3.14159265358979323846 * pair.work_of_adhesion / pair.effective_modulus;
-    return {1.5 * 3.14159265358979323846 * pair.work_of_adhesion, 0.75 * cube_root(ratio * ratio),
-            0.5 * cube_root(ratio)};
+    // Without adhesion the law is Hertz's. W/E* of 1e-60 m leaves no trace of adhesion in any digit and keeps
+    // the formulas finite.
+    const double work = greatest(pair.work_of_adhesion, 1e-60 * pair.effective_modulus);
+    const double ratio = 3.14159265358979323846 * work / pair.effective_modulus;
+    return {1.5 * 3.14159265358979323846 * work, 0.75 * cube_root(ratio * ratio), 0.5 * cube_root(ratio)};
   }
 
   PULVIS_INLINE static double separation_gap(double radius, const Pair& pair) {

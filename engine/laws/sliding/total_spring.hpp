@@ -55,7 +55,8 @@ struct None {
   static constexpr const char* name = "none";
   struct Pair {};
   static Pair mix(const MaterialPair&, const Choices&) { return {}; }
-  PULVIS_INLINE static Vec3 slide(const Touch&, const Vec3&, double, double, double, const Pair&, Vec3&) {
+  PULVIS_INLINE static Vec3 slide(const Touch&, const Vec3&, double, double, double, const Pair&, Vec3& xi) {
+    xi = {};
     return {};
   }
 };

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <csignal>
+#include <filesystem>
+
+#include "apps/templates.hpp"
+#include "case/reader.hpp"
+#include "output/safe_file.hpp"
+#include "run/preflight.hpp"
+#include "run/run_case.hpp"
+
+namespace {
+
+using pulvis::Exit;
+using pulvis::Failure;
+
+extern "C" void on_interrupt(int signal) {
+  // The first Ctrl-C ends after this step with valid results; a second one ends at once.
+  pulvis::ask_to_stop();
+  std::signal(signal, SIG_DFL);
+}
+
+std::vector<pulvis::Override> overrides_from(const std::vector<std::string>& settings) {
+  std::vector<pulvis::Override> list;
+  for (const std::string& s : settings) {
+    const auto equals = s.find('=');
+    if (equals == std::string::npos || equals == 0)
+      throw Failure(Exit::usage, fmt::format("--set {}: expected key.path=value", s));
+    list.push_back({s.substr(0, equals), s.substr(equals + 1)});
+  }
+  return list;
+}
+
+Exit check(const std::string& file, const std::vector<std::string>& settings) {
+  const pulvis::Case c = pulvis::read_case(file, overrides_from(settings));
+  const pulvis::Assembly assembly = pulvis::assemble(c);
+  const pulvis::Forecast forecast = pulvis::forecast(c, assembly);
+  fmt::print("{}", pulvis::check_report(c, assembly, forecast));
+  for (const auto& warning : forecast.warnings) fmt::print(stderr, "warning: {}\n", warning);
+  return Exit::ok;
+}
+
+Exit make_new(const std::string& name, const std::string& folder) {
+  for (const auto& t : pulvis::templates()) {
+    if (t.name != name) continue;
+    const std::filesystem::path path = std::filesystem::path(folder) / "case.toml";
+    if (std::filesystem::exists(path))
+      throw Failure(Exit::usage, fmt::format("{} exists already; choose another folder", path.string()));
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error) throw Failure(Exit::io, fmt::format("cannot create {}: {}", folder, error.message()));
+    pulvis::write_file_safely(path.string(), t.text);
+    fmt::print("{}\nNow: pulvis check {}, then pulvis run {} --out {}\n", path.string(), path.string(), path.string(),
+               (std::filesystem::path(folder) / "results").string());
+    return Exit::ok;
+  }
+  std::string known;
+  for (const auto& t : pulvis::templates()) known += fmt::format("\n  {:<14} {}", t.name, t.help);
+  throw Failure(Exit::usage, fmt::format("there is no template \"{}\"; templates are:{}", name, known));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"pulvis simulates how cohesive powder fills a die.\nStart with: pulvis new die-filling my-case"};
+  app.set_version_flag("--version", PULVIS_VERSION);
+  app.require_subcommand(1);
+
+  pulvis::RunRequest request;
+  std::vector<std::string> settings;
+  std::string file, key, name, folder;
+
+  auto* run = app.add_subcommand("run", "run a case");
+  run->add_option("CASE", request.case_file, "case file (TOML)")->required();
+  run->add_option("--out", request.out, "folder for the results")->required();
+  run->add_option("--set", settings, "override a key: --set key.path=value (repeatable)")->allow_extra_args(false);
+  run->add_option("--threads", request.threads, "threads; default: all processors")->check(CLI::Range(1, 1024));
+  run->add_flag("--force", request.force, "replace the results of an earlier run in that folder");
+
+  auto* check_command = app.add_subcommand("check", "validate a case and print what follows from it; simulates nothing");
+  check_command->add_option("CASE", file, "case file (TOML)")->required();
+  check_command->add_option("--set", settings, "override a key: --set key.path=value (repeatable)")->allow_extra_args(false);
+
+  auto* new_command = app.add_subcommand("new", "write a case to start from");
+  new_command->add_option("TEMPLATE", name, "which: die-filling")->required();
+  new_command->add_option("DIR", folder, "new folder")->required();
+
+  auto* explain = app.add_subcommand("explain", "explain a key of the case file, e.g. powders.coarse_graining");
+  explain->add_option("KEY", key, "a key or a table")->required();
+
+  app.add_subcommand("keys", "print the reference of all keys (Markdown)");
+  app.add_subcommand("schema", "print a JSON Schema of the case file, for editors");
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    const int code = app.exit(error);
+    return code == 0 ? 0 : static_cast<int>(Exit::usage);
+  }
+
+  try {
+    std::signal(SIGINT, on_interrupt);
+    Exit result = Exit::ok;
+    if (*run) {
+      request.overrides = overrides_from(settings);
+      result = pulvis::run_case(request);
+    } else if (*check_command) {
+      result = check(file, settings);
+    } else if (*new_command) {
+      result = make_new(name, folder);
+    } else if (*explain) {
+      fmt::print("{}", pulvis::explain(key));
+    } else if (app.got_subcommand("keys")) {
+      fmt::print("{}", pulvis::keys_reference_markdown());
+    } else {
+      fmt::print("{}", pulvis::json_schema());
+    }
+    return static_cast<int>(result);
+  } catch (const Failure& failure) {
+    fmt::print(stderr, "{}{}\n", failure.code() == Exit::bad_case ? "" : "pulvis: ", failure.what());
+    return static_cast<int>(failure.code());
+  } catch (const std::bad_alloc&) {
+    fmt::print(stderr, "pulvis: not enough memory; `pulvis check` says how much a case needs\n");
+    return static_cast<int>(Exit::unexpected);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "pulvis: unexpected: {}\n", error.what());
+    return static_cast<int>(Exit::unexpected);
+  }
+}

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <vector>
+
+#include "case/keys.hpp"
+
+// What the files of the key table share; only they include it.
+namespace pulvis::case_file {
+
+using Keys = std::vector<Key>;
+
+inline constexpr Range positive{Range::End::excluded, Range::End::open, 0.0, 0.0};
+inline constexpr Range not_negative{Range::End::included, Range::End::open, 0.0, 0.0};
+inline constexpr Range fraction{Range::End::excluded, Range::End::included, 0.0, 1.0};
+
+inline void append(Keys& keys, const Keys& more) { keys.insert(keys.end(), more.begin(), more.end()); }
+
+/// Title, domain, gravity, materials, pairs, powders, contact law.
+void append_matter(Keys& keys);
+
+/// Walls, motions, sources, phases.
+void append_process(Keys& keys);
+
+/// A box or a cylinder, wherever one is described: as a region or as the inside of a wall.
+void append_shape(Keys& keys, const std::string& table);
+
+/// Time step, measures, output.
+void append_choices(Keys& keys);
+
+}  // namespace pulvis::case_file

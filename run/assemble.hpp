@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <vector>
+
+#include "case/case.hpp"
+#include "engine/simulation/model.hpp"
+#include "run/species.hpp"
+#include "run/time_step.hpp"
+
+namespace pulvis {
+
+/// A case made ready to run: the engine's model and the numbers it was derived from.
+struct Assembly {
+  std::vector<Species> species;
+  std::vector<PairProperties> pairs;
+  TimeStep time_step;
+  Model model;
+};
+
+/// Builds the model of a case. Throws Failure(bad_case) where the parts of the case do not fit together (a
+/// die smaller than three parcels, a region too full, powders with different coarse graining), Failure
+/// (bad_input) for a bed that cannot be read.
+Assembly assemble(const Case& c);
+
+/// Parcels a source will give: its count, or its mass over the mean parcel mass (rounded).
+double expected_parcels(const Case& c, const Source& source);
+
+}  // namespace pulvis

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "run/measuring.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "measures/coordination.hpp"
+#include "measures/fill.hpp"
+#include "measures/periodic_images.hpp"
+#include "run/species.hpp"
+
+namespace pulvis {
+namespace {
+
+measures::Container container_of(const Region& region, const Vec3& moved, const Vec3& gravity) {
+  measures::Container m;
+  m.shape = region.shape == Region::Shape::box ? measures::Container::Shape::box
+                                               : measures::Container::Shape::cylinder;
+  m.min = region.min + moved;
+  m.max = region.max + moved;
+  m.base = region.base + moved;
+  m.axis = region.axis;
+  m.radius = region.radius;
+  m.height = region.height;
+  m.up = -gravity;
+  return m;
+}
+
+/// Mean parcel diameter of the powder the case describes: fixed, so that grids do not change while filling.
+double mean_parcel_diameter(const Case& c) { return SizeSampler(parcel_sizes(c.powders.front())).mean(); }
+
+}  // namespace
+
+Sight look_at(const Simulation& simulation) {
+  const auto& body = simulation.state().parcels.body;
+  Sight s;
+  s.index.resize(body.size());
+  std::iota(s.index.begin(), s.index.end(), 0u);
+  std::sort(s.index.begin(), s.index.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return body[a].id < body[b].id; });
+  std::vector<std::uint32_t> place(body.size());
+  for (std::uint32_t k = 0; k < s.index.size(); ++k) {
+    const Parcel& p = body[s.index[k]];
+    place[s.index[k]] = k;
+    s.spheres.push_back({p.position, p.radius});
+    s.masses.push_back(p.mass);
+    s.bodies.push_back({p.position, p.velocity, p.spin, p.mass, inertia(p)});
+  }
+  const NearPairs& pairs = simulation.pairs();
+  for (std::size_t slot = 0; slot < pairs.slots(); ++slot)
+    if (pairs.touching[slot]) s.contacts.push_back({place[pairs.first[slot]], place[pairs.second[slot]]});
+  const NearWalls& walls = simulation.walls();
+  for (std::size_t slot = 0; slot < walls.slots(); ++slot)
+    if (walls.touching[slot]) s.wall_contacts.push_back(place[walls.parcel[slot]]);
+  return s;
+}
+
+std::optional<measures::Container> measured_container(const Case& c, const Simulation& simulation) {
+  if (c.measures.die)
+    return container_of(c.walls[*c.measures.die].region, simulation.body_displacement(*c.measures.die), c.gravity);
+  if (c.measures.region) return container_of(*c.measures.region, {}, c.gravity);
+  return {};
+}
+
+Measurement measure(const Case& c, const Simulation& simulation) {
+  const Sight sight = look_at(simulation);
+  Measurement m;
+  const std::string window = "instantaneous";
+  const auto add = [&](const char* name, std::optional<double> value, const char* unit) {
+    m.list.push_back({name, value, unit, window});
+  };
+  if (const auto die = measured_container(c, simulation)) {
+    const double diameter = mean_parcel_diameter(c);
+    const auto surface =
+        measures::free_surface(sight.spheres, sight.contacts, *die, c.measures.column_diameters * diameter);
+    const Box& domain = simulation.model().domain;
+    const auto solid = measures::with_periodic_images(
+        sight.spheres, {domain.min, domain.max}, {domain.periodic[0], domain.periodic[1], domain.periodic[2]});
+    m.porosity = measures::porosity(solid, surface, *die, c.measures.cell_diameters * diameter);
+    const auto fill = measures::fill_inside(sight.spheres, sight.masses, *die);
+    const auto coordination =
+        measures::coordination(sight.spheres, sight.contacts, sight.wall_contacts, *die);
+    add("fill_mass", fill.mass, "kg");
+    add("fill_count", static_cast<double>(fill.count), "1");
+    add("porosity_mean", m.porosity->mean, "1");
+    add("porosity_std", m.porosity->standard_deviation, "1");
+    add("coordination_mean", coordination.mean, "1");
+    add("coordination_walls_mean", coordination.mean_walls, "1");
+    add("free_surface_height_mean", surface.mean, "m");
+  }
+  const auto energies = measures::energies(sight.bodies, c.gravity);
+  add("kinetic_energy_translational", energies.translational, "J");
+  add("kinetic_energy_rotational", energies.rotational, "J");
+  add("potential_energy", energies.potential, "J");
+  return m;
+}
+
+}  // namespace pulvis

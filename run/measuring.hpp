@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "case/case.hpp"
+#include "engine/simulation/simulation.hpp"
+#include "measures/container.hpp"
+#include "measures/energies.hpp"
+#include "measures/free_surface.hpp"
+#include "measures/porosity.hpp"
+
+namespace pulvis {
+
+/// A named result. `value` is empty where there is nothing to measure (no parcel in the die).
+struct Measure {
+  std::string name;
+  std::optional<double> value;
+  std::string unit;
+  std::string window;  ///< what it is taken over: "at the end of the phase"
+};
+
+/// A state in the form the measures take: parcels in order of their ids.
+struct Sight {
+  std::vector<measures::Sphere> spheres;
+  std::vector<double> masses;
+  std::vector<measures::Body> bodies;
+  std::vector<std::uint32_t> index;            ///< place in the store
+  std::vector<measures::Contact> contacts;     ///< of parcels, stretched ones included
+  std::vector<std::uint32_t> wall_contacts;    ///< the sphere, once for each wall it touches
+};
+Sight look_at(const Simulation& simulation);
+
+/// Everything measured at one moment.
+struct Measurement {
+  std::vector<Measure> list;
+  std::optional<measures::PorosityField> porosity;  ///< none if no die is measured
+};
+
+/// The inside of the measured die where it stands now (moved with its wall); none if the case measures none.
+std::optional<measures::Container> measured_container(const Case& c, const Simulation& simulation);
+
+Measurement measure(const Case& c, const Simulation& simulation);
+
+}  // namespace pulvis

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "run/preflight.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "case/units.hpp"
+#include "engine/laws/estimates.hpp"
+
+namespace pulvis {
+namespace {
+
+constexpr double bytes_per_parcel = 700.0;  // measured on dense beds with history: see bench/step_time
+constexpr double most_resting_overlap = 0.01, most_impact_overlap = 0.05;  // over the radius
+
+/// The d50 sphere of a powder against another of a second, or against a wall.
+struct Sizes {
+  double radius, mass;  ///< reduced
+  double own_radius, own_mass;
+};
+
+Sizes sizes_of(const Case& c, const Species& a, const Species& b, bool parcels) {
+  const auto sphere = [&](const Species& s, double& r, double& m) {
+    const Powder& p = c.powders[s.powder];
+    r = 0.5 * SizeSampler(parcels ? parcel_sizes(p) : grain_sizes(p)).median_by_mass();
+    m = c.materials[s.material].density * sphere_volume(r);
+  };
+  double r1 = 0, m1 = 0, r2 = 0, m2 = 0;
+  sphere(a, r1, m1);
+  if (!b.is_powder) return {r1, m1, r1, m1};
+  sphere(b, r2, m2);
+  return {r1 * r2 / (r1 + r2), m1 * m2 / (m1 + m2), r1, m1};
+}
+
+/// Pressure under the expected bed, Pa: its weight over the smallest footprint of a wall that could hold it.
+double bed_stress(const Case& c, double mass) {
+  double area = 1e300;
+  for (const Wall& w : c.walls) {
+    if (w.shape == Wall::Shape::plane) continue;
+    if (w.region.shape == Region::Shape::cylinder)
+      area = std::min(area, 3.14159265358979323846 * square(w.region.radius));
+    else {
+      const Vec3 e = w.region.max - w.region.min;
+      const Vec3& g = c.gravity;
+      const double x = std::abs(g.x), y = std::abs(g.y), z = std::abs(g.z);
+      area = std::min(area, x > y && x > z ? e.y * e.z : y > z ? e.x * e.z : e.x * e.y);
+    }
+  }
+  if (area > 1e299) {
+    const Vec3 e = c.domain.max - c.domain.min;
+    area = std::abs(c.gravity.z) > 0 ? e.x * e.y : std::abs(c.gravity.y) > 0 ? e.x * e.z : e.y * e.z;
+  }
+  return mass * norm(c.gravity) / area;
+}
+
+PairForecast forecast_pair(const Case& c, const Assembly& a, const PairProperties& p, double stress) {
+  const Species &s1 = a.species[p.first], &s2 = a.species[p.second];
+  const Sizes grain = sizes_of(c, s1, s2, false), parcel = sizes_of(c, s1, s2, true);
+  const double g = std::max(norm(c.gravity), 1e-300);
+  const double w0 = p.real.work_of_adhesion, w = p.simulated.work_of_adhesion;
+  const double e0 = p.real.effective_modulus, e = p.simulated.effective_modulus;
+  PairForecast f;
+  f.first = s1.name;
+  f.second = s2.name;
+  const bool adheres = c.contact.normal == "jkr" && w > 0.0;
+  if (adheres) {
+    f.pull_off_real = laws::jkr_pull_off(grain.radius, w0);
+    f.pull_off = laws::jkr_pull_off(parcel.radius, w);
+    f.bond_real = f.pull_off_real / (grain.own_mass * g);
+    f.bond = f.pull_off / (parcel.own_mass * g);
+    f.sticking_speed_real = laws::jkr_sticking_speed(grain.mass, grain.radius, e0, w0);
+    f.sticking_speed = laws::jkr_sticking_speed(parcel.mass, parcel.radius, e, w);
+  }
+  // A contact at the bottom carries about the pressure times the square of a diameter.
+  const double force = std::max(stress * square(2.0 * parcel.own_radius), parcel.own_mass * norm(c.gravity));
+  f.resting_overlap = (adheres ? laws::jkr_overlap_under(force, parcel.radius, e, w)
+                               : laws::hertz_overlap_under(force, parcel.radius, e)) /
+                      parcel.own_radius;
+  f.impact_overlap =
+      laws::hertz_largest_overlap(parcel.mass, parcel.radius, e, a.time_step.characteristic_speed) / parcel.own_radius;
+  return f;
+}
+
+void add_warnings(const Case& c, const Assembly& a, Forecast& f) {
+  for (const PairForecast& p : f.pairs) {
+    if (p.resting_overlap > most_resting_overlap)
+      f.warnings.push_back(fmt::format("{} / {}: expected overlap at rest is {:.2f} % of the radius (above 1 %): raise "
+                                       "simulated_modulus",
+                                       p.first, p.second, 100 * p.resting_overlap));
+    if (p.impact_overlap > most_impact_overlap)
+      f.warnings.push_back(fmt::format("{} / {}: impacts at {:.3g} m/s overlap by {:.1f} % of the radius (above 5 %): "
+                                       "raise simulated_modulus",
+                                       p.first, p.second, a.time_step.characteristic_speed, 100 * p.impact_overlap));
+  }
+  for (const PairProperties& p : a.pairs) {
+    if (p.real.work_of_adhesion == 0.0 || c.contact.normal == "jkr") continue;
+    f.warnings.push_back(fmt::format("{} / {} has surface energy, but contact.normal = \"{}\" knows no adhesion",
+                                     a.species[p.first].name, a.species[p.second].name, c.contact.normal));
+  }
+  bool adheres = false;
+  for (const PairForecast& p : f.pairs) adheres = adheres || p.pull_off > 0.0;
+  for (const PairForecast& p : f.pairs)
+    if (adheres && p.pull_off == 0.0)
+      f.warnings.push_back(fmt::format("{} / {} does not adhere although other pairs do", p.first, p.second));
+}
+
+std::string force_text(double newton) { return newton > 0 ? format_quantity(newton, dimension::force) : "-"; }
+std::string speed_text(double speed) { return speed > 0 ? format_quantity(speed, dimension::speed) : "-"; }
+std::string number_text(double value) { return value > 0 ? fmt::format("{:.4g}", value) : "-"; }
+
+std::string powder_lines(const Case& c) {
+  std::string text;
+  for (const Powder& p : c.powders) {
+    const SizeSampler grains(grain_sizes(p)), parcels(parcel_sizes(p));
+    const Material& m = c.materials[p.material];
+    text += fmt::format("powder {}: {}, grain d50 {}, coarse graining {:g} (stress similarity), parcel d50 {} ({} to {})\n",
+                        p.name, m.name, format_quantity(grains.median_by_mass(), dimension::length), p.coarse_graining,
+                        format_quantity(parcels.median_by_mass(), dimension::length),
+                        format_quantity(parcels.smallest(), dimension::length),
+                        format_quantity(parcels.largest(), dimension::length));
+    if (p.simulated_modulus)
+      text += fmt::format("  softened from {} to {}, keeping the {}\n", format_quantity(m.young_modulus, dimension::pressure),
+                          format_quantity(*p.simulated_modulus, dimension::pressure),
+                          p.keep == Powder::Keep::pull_off ? "pull-off force" : "sticking speed");
+  }
+  return text;
+}
+
+}  // namespace
+
+Forecast forecast(const Case& c, const Assembly& a) {
+  Forecast f;
+  double mass = 0.0;
+  for (std::size_t k = 0; k < c.sources.size(); ++k) {
+    const Source& source = c.sources[k];
+    if (source.kind == Source::Kind::file) {
+      f.parcels += static_cast<double>(a.model.sources[k].list.size());
+      for (const Parcel& p : a.model.sources[k].list) mass += p.mass;
+      continue;
+    }
+    const double parcels = expected_parcels(c, source);
+    f.parcels += parcels;
+    const Powder& powder = c.powders[source.powder];
+    mass += source.target.mass.value_or(parcels * c.materials[powder.material].density * sphere_volume(0.5) *
+                                        SizeSampler(parcel_sizes(powder)).mean_cube());
+  }
+  f.memory = f.parcels * bytes_per_parcel;
+  f.bed_stress = bed_stress(c, mass);
+  for (const PairProperties& p : a.pairs) f.pairs.push_back(forecast_pair(c, a, p, f.bed_stress));
+  add_warnings(c, a, f);
+  return f;
+}
+
+std::string check_report(const Case& c, const Assembly& a, const Forecast& f) {
+  std::string text = fmt::format("{}{}\n", c.file, c.title.empty() ? "" : ": " + c.title) + powder_lines(c);
+  const StepLimit& binding = a.time_step.limits.front();
+  text += fmt::format("time step {}: {:.3g} of the smallest limit, {} of {} ({})\n",
+                      format_quantity(a.time_step.step, dimension::time), a.time_step.step / binding.time, binding.kind,
+                      binding.of, format_quantity(binding.time, dimension::time));
+  for (const StepLimit& l : a.time_step.limits)
+    text += fmt::format("  {:<20} {:<40} {}\n", l.kind, l.of, format_quantity(l.time, dimension::time));
+  text += fmt::format("characteristic speed {}\n", format_quantity(a.time_step.characteristic_speed, dimension::speed));
+  text += fmt::format("parcels {:.0f}, memory about {:.0f} MB, pressure under the bed about {}\n", f.parcels,
+                      std::ceil(f.memory / 1e6), format_quantity(f.bed_stress, dimension::pressure));
+  for (std::size_t k = 0; k < c.motions.size(); ++k) {
+    const double peak = c.motions[k].amplitude * square(2.0 * 3.14159265358979323846 * c.motions[k].frequency);
+    text += fmt::format("motion {}: amplitude {}, {} , peak acceleration {} ({:.3g} g)\n", c.motions[k].name,
+                        format_quantity(c.motions[k].amplitude, dimension::length),
+                        format_quantity(c.motions[k].frequency, dimension::frequency),
+                        format_quantity(peak, dimension::acceleration), peak / 9.80665);
+  }
+  text += fmt::format("\n{:<34} {:>12} {:>12} {:>10} {:>10} {:>12} {:>12} {:>9} {:>9}\n", "pair (d50)", "pull-off", "pull-off",
+                      "Bond", "Bond", "sticking", "sticking", "overlap", "overlap");
+  text += fmt::format("{:<34} {:>12} {:>12} {:>10} {:>10} {:>12} {:>12} {:>9} {:>9}\n", "", "real grain", "simulated",
+                      "real", "simulated", "speed real", "simulated", "at rest", "impact");
+  for (const PairForecast& p : f.pairs)
+    text += fmt::format("{:<34} {:>12} {:>12} {:>10} {:>10} {:>12} {:>12} {:>8.3f}% {:>8.2f}%\n",
+                        p.first + " / " + p.second, force_text(p.pull_off_real), force_text(p.pull_off),
+                        number_text(p.bond_real), number_text(p.bond), speed_text(p.sticking_speed_real),
+                        speed_text(p.sticking_speed), 100 * p.resting_overlap, 100 * p.impact_overlap);
+  text += "(Bond: pull-off force over the weight of the d50 sphere; overlaps over the radius)\n";
+  return text;
+}
+
+}  // namespace pulvis

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "run/procedure.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/base/failure.hpp"
+#include "measures/fill.hpp"
+#include "run/measuring.hpp"
+#include "run/species.hpp"
+
+namespace pulvis {
+namespace {
+
+constexpr std::uint64_t steps_between_questions = 100;  // for criteria that must look at every parcel
+
+std::uint64_t steps_for(double seconds, double dt) {
+  return static_cast<std::uint64_t>(std::llround(std::max(seconds / dt, 1.0)));
+}
+
+/// 1e-4 of the energy m g d that lifts a d50 parcel by its own diameter, J.
+double rest_energy(const Case& c) {
+  const Powder& powder = c.powders.front();
+  const double d50 = SizeSampler(parcel_sizes(powder)).median_by_mass();
+  const double mass = c.materials[powder.material].density * sphere_volume(0.5 * d50);
+  return 1e-4 * mass * std::max(norm(c.gravity), 1e-3) * d50;
+}
+
+double kinetic_energy(const Simulation& simulation) {
+  return measures::energies(look_at(simulation).bodies, simulation.model().gravity).kinetic();
+}
+
+}  // namespace
+
+Procedure::Procedure(const Case& c, Simulation& simulation)
+    : case_(c), simulation_(simulation), default_rest_energy_(rest_energy(c)) {
+  if (simulation_.state().step == 0 && !finished()) begin_phase();
+}
+
+double Procedure::phase_start() const {
+  return static_cast<double>(simulation_.state().progress.phase_start) * simulation_.model().dt;
+}
+
+std::uint64_t Procedure::steps_in_phase() const {
+  return simulation_.state().step - simulation_.state().progress.phase_start;
+}
+
+void Procedure::begin_phase() {
+  simulation_.state().progress.phase_start = simulation_.state().step;
+  for (const std::size_t s : phase().sources) simulation_.open_source(s);
+  for (const std::size_t m : phase().motions) simulation_.start_motion(m);
+}
+
+void Procedure::end_phase() {
+  for (const std::size_t s : phase().sources) simulation_.close_source(s);
+  for (const std::size_t m : phase().motions) simulation_.stop_motion(m);
+}
+
+void Procedure::next_phase() {
+  end_phase();
+  ++simulation_.state().progress.phase;
+  if (!finished()) begin_phase();
+}
+
+std::optional<std::uint64_t> Procedure::planned_steps(const Phase& p) const {
+  const double dt = simulation_.model().dt;
+  if (p.until == Phase::Until::time) return steps_for(p.duration, dt);
+  if (p.until == Phase::Until::cycles)
+    return steps_for(p.cycles / simulation_.model().motions[p.motions.front()].frequency, dt);
+  return {};
+}
+
+bool Procedure::criterion_met(const Phase& p) const {
+  const std::uint64_t steps = steps_in_phase();
+  if (const auto planned = planned_steps(p)) return steps >= *planned;
+  if (static_cast<double>(steps) * simulation_.model().dt < p.at_least) return false;
+  if (p.until == Phase::Until::inserted)
+    return std::all_of(p.sources.begin(), p.sources.end(),
+                       [&](std::size_t s) { return simulation_.state().sources[s].done; });
+  if (steps % steps_between_questions != 0) return false;
+  if (p.until == Phase::Until::mass) {
+    const auto die = measured_container(case_, simulation_);
+    const Sight sight = look_at(simulation_);
+    return die && measures::fill_inside(sight.spheres, sight.masses, *die).mass >= p.mass;
+  }
+  const double limit = p.kinetic_energy.value_or(default_rest_energy_);
+  return kinetic_energy(simulation_) <= limit * static_cast<double>(simulation_.state().parcels.size());
+}
+
+std::optional<std::string> Procedure::ended() const {
+  const Phase& p = phase();
+  if (criterion_met(p)) {
+    switch (p.until) {
+      case Phase::Until::time: return "time";
+      case Phase::Until::inserted: return "inserted";
+      case Phase::Until::mass: return "mass";
+      case Phase::Until::cycles: return "cycles";
+      case Phase::Until::rest: return "rest";
+    }
+  }
+  if (p.time_limit <= 0.0 || steps_in_phase() < steps_for(p.time_limit, simulation_.model().dt)) return {};
+  if (p.limit_is_error)
+    throw Failure(Exit::physics, fmt::format("phase {} reached its time limit of {:g} s before its end\n  raise "
+                                             "time_limit, or set at_limit = \"end\" to go on",
+                                             p.name, p.time_limit));
+  return "time_limit";
+}
+
+std::optional<double> Procedure::phase_share() const {
+  if (finished()) return 1.0;
+  const Phase& p = phase();
+  const auto steps = static_cast<double>(steps_in_phase());
+  if (const auto planned = planned_steps(p)) return std::min(1.0, steps / static_cast<double>(*planned));
+  if (p.until == Phase::Until::inserted && !p.sources.empty()) {
+    double share = 1.0;
+    for (const std::size_t k : p.sources) {
+      const Target& target = case_.sources[k].target;
+      const SourceState& s = simulation_.state().sources[k];
+      if (target.count && *target.count > 0)
+        share = std::min(share, static_cast<double>(s.count) / static_cast<double>(*target.count));
+      else if (target.mass && *target.mass > 0.0)
+        share = std::min(share, s.mass / *target.mass);
+    }
+    return share;
+  }
+  if (p.time_limit > 0.0) return std::min(1.0, steps * simulation_.model().dt / p.time_limit);
+  return {};
+}
+
+double Procedure::share() const {
+  const double dt = simulation_.model().dt;
+  double total = 0.0, done = 0.0;
+  for (std::size_t k = 0; k < case_.phases.size(); ++k) {
+    const Phase& p = case_.phases[k];
+    const auto planned = planned_steps(p);
+    const double length = planned ? static_cast<double>(*planned) * dt : std::max(p.time_limit, p.at_least);
+    total += length;
+    if (k < simulation_.state().progress.phase) done += length;
+    if (k == simulation_.state().progress.phase) done += length * phase_share().value_or(0.0);
+  }
+  return total > 0.0 ? done / total : 0.0;
+}
+
+}  // namespace pulvis

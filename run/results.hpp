@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "case/case.hpp"
+#include "case/reader.hpp"
+#include "engine/base/failure.hpp"
+#include "output/csv.hpp"
+#include "output/run_folder.hpp"
+#include "output/vtk_series.hpp"
+#include "run/assemble.hpp"
+#include "run/measuring.hpp"
+
+namespace pulvis {
+
+/// How a phase went.
+struct PhaseRecord {
+  std::string name;
+  double start = 0.0, end = 0.0;  ///< s
+  std::string ended_by;
+  std::vector<Measure> measures;
+};
+
+/// How a run went.
+struct RunSummary {
+  Exit exit = Exit::ok;
+  std::string reason;
+  double wall_time = 0.0;         ///< s
+  std::uint64_t particle_steps = 0;
+  std::vector<PhaseRecord> phases;
+  std::vector<std::string> warnings;
+};
+
+/// Everything a run writes into its folder.
+class Results {
+ public:
+  Results(const Case& c, const Assembly& assembly, const std::string& folder, UsedFolder used);
+
+  const RunFolder& folder() const { return folder_; }
+
+  /// case.toml as read, run.json with every key and where its value came from.
+  void write_case(const std::vector<Override>& overrides);
+  /// A line of log.csv.
+  void log(const Simulation& simulation, const std::string& phase);
+  /// Parcels, walls and (if given) porosity for ParaView.
+  void frame(const Simulation& simulation, const std::optional<measures::PorosityField>& porosity);
+  /// The die cut open, seen from obliquely above; `name` without ending.
+  void picture(const Simulation& simulation, const std::string& name, const std::string& caption);
+  /// result.json. `simulation` may be null if the run failed before it began.
+  void write_result(const RunSummary& summary, const Simulation* simulation);
+
+  double largest_overlap() const { return largest_overlap_; }  ///< over the radius, of all looks so far
+
+ private:
+  const Case& case_;
+  const Assembly& assembly_;
+  RunFolder folder_;
+  std::unique_ptr<CsvLog> log_;
+  VtkSeries parcels_, walls_, porosity_;
+  double largest_overlap_ = 0.0;
+  double last_frame_ = -1.0;  ///< s
+  int frames_ = 0;
+};
+
+}  // namespace pulvis

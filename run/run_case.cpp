@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "run/run_case.hpp"
+
+#include <fmt/format.h>
+#include <omp.h>
+
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <optional>
+
+#include "case/units.hpp"
+#include "output/progress.hpp"
+#include "run/procedure.hpp"
+#include "run/results.hpp"
+
+namespace pulvis {
+namespace {
+
+std::atomic<bool> stop_asked{false};
+
+double seconds_now() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+/// One run from the first phase to the last: steps, looks, outputs.
+class Runner {
+ public:
+  Runner(const Case& c, const Assembly& assembly, Results& results, int threads)
+      : case_(c),
+        results_(results),
+        simulation_(assembly.model, Simulation::initial_state(assembly.model), threads),
+        procedure_(c, simulation_),
+        progress_(ProgressOptions::for_stderr()),
+        frame_every_(every(c.output.interval)),
+        log_every_(every(log_interval(c))) {}
+
+  void run(RunSummary& summary);
+  const Simulation& simulation() const { return simulation_; }
+
+ private:
+  /// Steps between looks that are `interval` seconds apart; 0: never.
+  std::uint64_t every(double interval) const {
+    return interval > 0.0 ? static_cast<std::uint64_t>(std::max(1.0, std::round(interval / simulation_.model().dt))) : 0;
+  }
+  static double log_interval(const Case& c) {
+    if (c.output.log_interval > 0.0) return c.output.log_interval;
+    double longest = 0.0;
+    for (const Phase& p : c.phases) {
+      double length = std::max(p.duration, p.time_limit);
+      if (p.until == Phase::Until::cycles) length = std::max(length, p.cycles / c.motions[p.motions.front()].frequency);
+      longest = std::max(longest, length);
+    }
+    return longest / 100.0;
+  }
+
+  void look(bool phase_ends, const std::string& phase);
+  void close_phase(const std::string& ended_by, RunSummary& summary);
+  void show_progress(const RunSummary& summary);
+  void check_escapes() const;
+
+  const Case& case_;
+  Results& results_;
+  Simulation simulation_;
+  Procedure procedure_;
+  Progress progress_;
+  std::uint64_t frame_every_, log_every_;
+};
+
+void Runner::check_escapes() const {
+  const auto& escapes = simulation_.state().escapes;
+  if (escapes.empty() || !case_.domain.escape_is_error) return;
+  const Escape& e = escapes.back();
+  throw Failure(Exit::physics,
+                fmt::format("parcel {} escaped through {} at t = {:.6g} s, position ({:.5g}, {:.5g}, {:.5g}) m, speed "
+                            "{:.4g} m/s\n  if parcels may be lost, set domain.escape = \"count\"; else close the "
+                            "walls, enlarge [domain] or lower time.fraction",
+                            e.id, e.through, e.time, e.position.x, e.position.y, e.position.z, norm(e.velocity)));
+}
+
+void Runner::look(bool phase_ends, const std::string& phase) {
+  const std::uint64_t step = simulation_.state().step;
+  if (phase_ends || (log_every_ && step % log_every_ == 0)) results_.log(simulation_, phase);
+  if (phase_ends) return;
+  if (frame_every_ && step % frame_every_ == 0)
+    results_.frame(simulation_, measure(case_, simulation_).porosity);
+}
+
+void Runner::close_phase(const std::string& ended_by, RunSummary& summary) {
+  const Phase& phase = procedure_.phase();
+  const Measurement m = measure(case_, simulation_);
+  summary.phases.push_back({phase.name, procedure_.phase_start(), simulation_.time(), ended_by, m.list});
+  results_.frame(simulation_, m.porosity);
+  for (const std::size_t s : phase.sources) {
+    const SourceState& source = simulation_.state().sources[s];
+    if (source.done || (phase.until != Phase::Until::inserted && phase.until != Phase::Until::mass)) continue;
+    summary.warnings.push_back(fmt::format("source {} had given {} parcels ({}) when phase {} ended by {}",
+                                           case_.sources[s].name, source.count,
+                                           format_quantity(source.mass, dimension::mass), phase.name, ended_by));
+    progress_.message("warning: " + summary.warnings.back());
+  }
+  if (case_.output.picture) {
+    const bool last = simulation_.state().progress.phase + 1 == case_.phases.size();
+    const std::string caption =
+        fmt::format("after phase \"{}\", t = {}", phase.name, format_quantity(simulation_.time(), dimension::time));
+    results_.picture(simulation_, last ? "picture" : "picture-" + phase.name, caption);
+  }
+}
+
+void Runner::show_progress(const RunSummary& summary) {
+  progress_.update({.phase = procedure_.phase().name,
+                    .simulated_time = simulation_.time(),
+                    .fraction = procedure_.share(),
+                    .parcels = simulation_.state().parcels.size(),
+                    .particle_steps = summary.particle_steps});
+}
+
+void Runner::run(RunSummary& summary) {
+  results_.log(simulation_, procedure_.phase().name);
+  results_.frame(simulation_, {});
+  while (!procedure_.finished()) {
+    simulation_.step();
+    summary.particle_steps += simulation_.state().parcels.size();
+    check_escapes();
+    const auto ended = procedure_.ended();
+    look(ended.has_value(), procedure_.phase().name);
+    if (simulation_.state().step % 16 == 0 || ended) show_progress(summary);
+    if (ended) {
+      close_phase(*ended, summary);
+      procedure_.next_phase();
+    } else if (stop_asked) {
+      close_phase("stopped on request", summary);
+      summary.exit = Exit::cancelled;
+      summary.reason = "stopped on request; the results are those up to then";
+      return;
+    }
+  }
+  summary.reason = "completed";
+}
+
+/// Counts must balance exactly, masses to rounding.
+void check_ledger(const Simulation& simulation) {
+  const Ledger& l = simulation.state().ledger;
+  const std::uint64_t present = simulation.state().parcels.size();
+  double mass = 0.0;
+  for (const Parcel& p : simulation.state().parcels.body) mass += p.mass;
+  const double off = l.inserted_mass - mass - l.removed_mass - l.escaped_mass;
+  if (l.inserted == present + l.removed + l.escaped && std::abs(off) <= 1e-9 * l.inserted_mass) return;
+  throw Failure(Exit::internal_check,
+                fmt::format("the ledger does not balance: {} parcels inserted, {} present, {} removed, {} escaped; "
+                            "{:.3g} kg unaccounted for\n  this is a fault of the program, please report it with the case",
+                            l.inserted, present, l.removed, l.escaped, off));
+}
+
+void print_summary(const Case& c, const Results& results, const RunSummary& summary, const Simulation& simulation) {
+  fmt::print("{} after {} of simulated time ({} steps, {} parcels) in {}, {} particle-steps/s\n",
+             summary.exit == Exit::ok ? "Completed" : "Ended", format_quantity(simulation.time(), dimension::time),
+             simulation.state().step, simulation.state().parcels.size(), duration_text(summary.wall_time),
+             count_text(static_cast<double>(summary.particle_steps) / std::max(summary.wall_time, 1e-9)));
+  for (const PhaseRecord& p : summary.phases) {
+    fmt::print("  {:<12} {:>10} to {:>10}  ended by {}", p.name, format_quantity(p.start, dimension::time),
+               format_quantity(p.end, dimension::time), p.ended_by);
+    for (const Measure& m : p.measures)
+      if (m.value && (m.name == "porosity_mean" || m.name == "coordination_mean"))
+        fmt::print("  {} {:.4f}", m.name, *m.value);
+      else if (m.value && m.name == "fill_mass")
+        fmt::print("  {} {}", m.name, format_quantity(*m.value, dimension::mass));
+    fmt::print("\n");
+  }
+  for (const Source& source : c.sources) {
+    const auto k = static_cast<std::size_t>(&source - c.sources.data());
+    const SourceState& state = simulation.state().sources[k];
+    if (source.target.mass)
+      fmt::print("  source {}: {} of {} asked for, difference {}\n", source.name,
+                 format_quantity(state.mass, dimension::mass, 6), format_quantity(*source.target.mass, dimension::mass, 6),
+                 format_quantity(state.mass - *source.target.mass, dimension::mass));
+  }
+  const Ledger& l = simulation.state().ledger;
+  fmt::print("  ledger: {} inserted = {} present + {} removed + {} escaped\n", l.inserted,
+             simulation.state().parcels.size(), l.removed, l.escaped);
+  const std::string& folder = results.folder().path();
+  fmt::print("Results in {}:\n  numbers   {}/result.json, {}/log.csv\n", folder, folder, folder);
+  if (c.output.picture) fmt::print("  picture   {}/picture.png\n", folder);
+  fmt::print("  ParaView  {0}/parcels.pvd, {0}/walls.pvd, {0}/porosity.pvd\n", folder);
+}
+
+}  // namespace
+
+int available_processors() { return omp_get_num_procs(); }
+
+void ask_to_stop() { stop_asked = true; }
+
+Exit run_case(const RunRequest& request) {
+  const Case c = read_case(request.case_file, request.overrides);
+  const Assembly assembly = assemble(c);
+  Results results(c, assembly, request.out, request.force ? UsedFolder::replace_results : UsedFolder::refuse);
+  results.write_case(request.overrides);
+
+  RunSummary summary;
+  std::optional<Runner> runner;
+  const double start = seconds_now();
+  try {
+    runner.emplace(c, assembly, results, request.threads > 0 ? request.threads : available_processors());
+    runner->run(summary);
+    check_ledger(runner->simulation());
+  } catch (const Failure& failure) {
+    summary.exit = failure.code();
+    summary.reason = failure.what();
+  }
+  summary.wall_time = seconds_now() - start;
+  if (results.largest_overlap() > 0.05)
+    summary.warnings.push_back(fmt::format("parcels overlapped by up to {:.1f} % of their radius; above 5 % a contact "
+                                           "law of small overlaps is out of its range: raise simulated_modulus",
+                                           100 * results.largest_overlap()));
+  results.write_result(summary, runner ? &runner->simulation() : nullptr);
+  if (runner && (summary.exit == Exit::ok || summary.exit == Exit::cancelled))
+    print_summary(c, results, summary, runner->simulation());
+  for (const auto& warning : summary.warnings) fmt::print(stderr, "warning: {}\n", warning);
+  if (summary.exit != Exit::ok) fmt::print(stderr, "pulvis: {}\n", summary.reason);
+  return summary.exit;
+}
+
+}  // namespace pulvis

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <string>
+#include <vector>
+
+#include "case/reader.hpp"
+#include "engine/base/failure.hpp"
+
+namespace pulvis {
+
+struct RunRequest {
+  std::string case_file;
+  std::vector<Override> overrides;
+  std::string out;
+  int threads = 0;  ///< 0: all processors this process may use
+  bool force = false;
+};
+
+/// Runs a case from the file to the results. Progress goes to stderr; a short summary with the places of the
+/// results to stdout. Returns the exit code; errors before the results folder is held are thrown as Failure.
+Exit run_case(const RunRequest& request);
+
+/// Processors this process may use.
+int available_processors();
+
+/// Set by signal handlers: end after this step.
+void ask_to_stop();
+
+}  // namespace pulvis

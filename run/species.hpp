@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <string>
+#include <vector>
+
+#include "case/case.hpp"
+#include "engine/laws/parts.hpp"
+#include "engine/parcels/size_sampler.hpp"
+
+namespace pulvis {
+
+/// What the engine tells apart: each powder, and each material that a wall is made of.
+struct Species {
+  std::string name;
+  std::size_t material = 0;
+  bool is_powder = false;
+  std::size_t powder = 0;         ///< if is_powder
+  double modulus = 0.0;           ///< simulated Young's modulus, Pa
+  double real_modulus = 0.0;      ///< Pa
+  double coarse_graining = 1.0;   ///< alpha; 1 for walls
+};
+
+/// Parcels' sizes of a powder: the grains' law times alpha.
+SizeLaw parcel_sizes(const Powder& powder);
+/// Grains' sizes of a powder.
+SizeLaw grain_sizes(const Powder& powder);
+
+/// One pair of species, as it is and as it is simulated.
+struct PairProperties {
+  std::size_t first = 0, second = 0;  ///< species
+  laws::MaterialPair real;            ///< grains, real modulus, real adhesion
+  laws::MaterialPair simulated;       ///< parcels, simulated modulus, scaled adhesion
+};
+
+std::vector<Species> species_of(const Case& c);
+/// Index of the species of a powder or of a wall's material.
+std::size_t species_of_powder(std::size_t powder);
+std::size_t species_of_material(const std::vector<Species>& species, std::size_t material);
+
+/// Mixes every pair of species of which at least one is a powder. The simulated pair follows from the real
+/// one in two steps, both stated in NOTATION:
+///   softening        keep = pull_off: W stays; keep = sticking_speed: W (E*_sim/E*_real)^(2/5)
+///   coarse graining  stress similarity: W times alpha, everything else as it is
+/// Sources: stress similarity as in C. Bierwisch et al., J. Mech. Phys. Solids 57 (2009) 10-31,
+/// doi:10.1016/j.jmps.2008.10.006; the 2/5 from v_s ~ (W^5/E*^2)^(1/6), jkr_sticking_speed.
+std::vector<PairProperties> mix_pairs(const Case& c, const std::vector<Species>& species);
+
+}  // namespace pulvis

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "run/time_step.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "engine/base/failure.hpp"
+#include "engine/laws/estimates.hpp"
+#include "engine/parcels/parcels.hpp"
+#include "engine/walls/motion.hpp"
+
+namespace pulvis {
+namespace {
+
+/// Depths (along gravity, m) of the corners of a box.
+struct Depths {
+  double shallowest = 1e300, deepest = -1e300;
+  void add(double depth) {
+    shallowest = least(shallowest, depth);
+    deepest = greatest(deepest, depth);
+  }
+  void add_box(const Vec3& down, const Vec3& low, const Vec3& high) {
+    for (int k = 0; k < 8; ++k)
+      add(dot(down, Vec3{k & 1 ? high.x : low.x, k & 2 ? high.y : low.y, k & 4 ? high.z : low.z}));
+  }
+  void add_region(const Vec3& down, const Region& r) {
+    if (r.shape == Region::Shape::box) return add_box(down, r.min, r.max);
+    const double along = dot(down, r.axis), reach = r.radius * root(greatest(1.0 - along * along, 0.0));
+    for (const double end : {0.0, r.height})
+      for (const double side : {-reach, reach}) add(dot(down, r.base) + end * along + side);
+  }
+};
+
+/// Largest distance a parcel of this source can fall, m: to the deepest wall below it, or to the end of the
+/// domain where there is none.
+double fall_height(const Case& c, const Source& source) {
+  const double g = norm(c.gravity);
+  if (g == 0.0) return 0.0;
+  const Vec3 down = c.gravity / g;
+  Depths start, end, walls;
+  end.add_box(down, c.domain.min, c.domain.max);
+  if (source.kind == Source::Kind::file)
+    start.add(end.shallowest);
+  else
+    start.add_region(down, source.region);
+  for (const Wall& wall : c.walls)
+    if (wall.shape == Wall::Shape::plane)
+      walls.add(dot(down, wall.point));
+    else
+      walls.add_region(down, wall.region);
+  const double floor = walls.deepest > start.shallowest ? least(end.deepest, walls.deepest) : end.deepest;
+  return greatest(floor - start.shallowest, 0.0);
+}
+
+std::string pair_name(const std::vector<Species>& species, const PairProperties& p) {
+  return species[p.first].name + " / " + species[p.second].name;
+}
+
+}  // namespace
+
+double characteristic_speed(const Case& c) {
+  if (c.time.characteristic_speed) return *c.time.characteristic_speed;
+  double fastest = 0.0;
+  for (const Source& source : c.sources) {
+    const double fall = 2.0 * norm(c.gravity) * fall_height(c, source);
+    fastest = greatest(fastest, root(dot(source.velocity, source.velocity) + fall));
+  }
+  double wall = 0.0;
+  for (const Motion& m : c.motions)
+    wall = greatest(wall, SineMotion{m.amplitude, m.frequency, m.phase, m.direction}.peak_speed());
+  return greatest(fastest + wall, 1e-3);
+}
+
+TimeStep choose_time_step(const Case& c, const std::vector<Species>& species,
+                          const std::vector<PairProperties>& pairs) {
+  TimeStep result;
+  result.characteristic_speed = characteristic_speed(c);
+  std::vector<double> radius(species.size(), 0.0), mass(species.size(), 0.0);
+  for (std::size_t s = 0; s < species.size(); ++s) {
+    if (!species[s].is_powder) continue;
+    const Material& m = c.materials[species[s].material];
+    radius[s] = 0.5 * SizeSampler(parcel_sizes(c.powders[species[s].powder])).smallest();
+    mass[s] = m.density * sphere_volume(radius[s]);
+    result.limits.push_back(
+        {"rayleigh", species[s].name, laws::rayleigh_time(radius[s], m.density, species[s].modulus, m.poisson_ratio)});
+  }
+  for (const PairProperties& p : pairs) {
+    const bool wall = !species[p.second].is_powder;
+    const double r1 = radius[p.first], m1 = mass[p.first], r2 = radius[p.second], m2 = mass[p.second];
+    const double r = wall ? r1 : r1 * r2 / (r1 + r2), m = wall ? m1 : m1 * m2 / (m1 + m2);
+    const double e = p.simulated.effective_modulus, w = p.simulated.work_of_adhesion;
+    const std::string name = pair_name(species, p);
+    result.limits.push_back({"hertz", name, laws::hertz_contact_time(m, r, e, result.characteristic_speed)});
+    if (c.contact.normal != "jkr" || w == 0.0) continue;
+    result.limits.push_back({"cohesive stiffness", name, root(m / laws::jkr_stiffness_at_touch(r, e, w))});
+    result.limits.push_back(
+        {"cohesive speed", name, laws::jkr_stretch(r, e, w) / (10.0 * laws::jkr_sticking_speed(m, r, e, w))});
+  }
+  std::sort(result.limits.begin(), result.limits.end(),
+            [](const StepLimit& a, const StepLimit& b) { return a.time < b.time; });
+  if (result.limits.empty()) throw Failure(Exit::bad_case, "the case has no powder");
+  const StepLimit& binding = result.limits.front();
+  result.given = c.time.step.has_value();
+  result.step = c.time.step.value_or(c.time.fraction * binding.time);
+  if (result.step > binding.time)
+    throw Failure(Exit::bad_case,
+                  fmt::format("{}: error: time.step = {:.4g} s is too large: the {} limit of {} is {:.4g} s\n  "
+                              "remove time.step to have a safe step chosen ({:.4g} s), or set it below the limit",
+                              c.file, result.step, binding.kind, binding.of, binding.time,
+                              c.time.fraction * binding.time));
+  return result;
+}
+
+}  // namespace pulvis

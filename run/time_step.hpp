@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <string>
+#include <vector>
+
+#include "case/case.hpp"
+#include "run/species.hpp"
+
+namespace pulvis {
+
+/// One limit on the time step.
+struct StepLimit {
+  std::string kind;  ///< rayleigh | hertz | cohesive stiffness | cohesive speed
+  std::string of;    ///< the powder or the pair it comes from
+  double time = 0.0; ///< s
+};
+
+struct TimeStep {
+  double step = 0.0;                  ///< s
+  double characteristic_speed = 0.0;  ///< m/s
+  std::vector<StepLimit> limits;      ///< all of them, the smallest first
+  bool given = false;                 ///< the case fixes the step
+};
+
+/// Speed that collisions can reach, m/s: a fall from the highest place where parcels appear to the end of the
+/// domain with their initial velocity, plus the fastest wall. The case can state its own.
+double characteristic_speed(const Case& c);
+
+/// The time step: the case's own, or its fraction of the smallest limit. For the smallest parcels:
+///   rayleigh             laws::rayleigh_time                                per powder
+///   hertz                laws::hertz_contact_time at the characteristic speed   per pair
+///   cohesive stiffness   sqrt(m*/k), k the JKR stiffness at zero overlap        per adhesive pair
+///   cohesive speed       delta_c/(10 v_s), v_s the sticking speed               per adhesive pair
+/// Throws Failure(bad_case) if a given step exceeds the smallest limit.
+TimeStep choose_time_step(const Case& c, const std::vector<Species>& species,
+                          const std::vector<PairProperties>& pairs);
+
+}  // namespace pulvis
