@@ -237,7 +237,7 @@ void append_phases(Keys& keys) {
                     .kind = quantity,
                     .dimension = dimension::energy,
                     .example = R"("1e-15 J")",
-                    .when_unset = "1e-4 of m g d of the median parcel",
+                    .when_unset = "1e-3 of m g d of the median parcel",
                     .range = positive,
                     .only_when = {"until", {"rest"}},
                     .help = "mean kinetic energy per parcel below which the powder is at rest"},

@@ -20,12 +20,12 @@ std::uint64_t steps_for(double seconds, double dt) {
   return static_cast<std::uint64_t>(std::llround(std::max(seconds / dt, 1.0)));
 }
 
-/// 1e-4 of the energy m g d that lifts a d50 parcel by its own diameter, J.
+/// The energy m g d/1000 that lifts a d50 parcel by a thousandth of its diameter, J.
 double rest_energy(const Case& c) {
   const Powder& powder = c.powders.front();
   const double d50 = SizeSampler(parcel_sizes(powder)).median_by_mass();
   const double mass = c.materials[powder.material].density * sphere_volume(0.5 * d50);
-  return 1e-4 * mass * std::max(norm(c.gravity), 1e-3) * d50;
+  return 1e-3 * mass * std::max(norm(c.gravity), 1e-3) * d50;
 }
 
 double kinetic_energy(const Simulation& simulation) {

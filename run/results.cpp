@@ -219,6 +219,7 @@ void Results::write_result(const RunSummary& summary, const Simulation* simulati
                                                               assembly_.time_step.limits.front().of;
     json["wall_time_s"] = summary.wall_time;
     json["threads"] = simulation->threads();
+    json["list_rebuilds"] = simulation->rebuilds();
     json["instruction_set"] = kernels::name_of(kernels::instruction_set());
     json["particles"] = state.parcels.size();
     json["particle_steps_per_s"] =

@@ -61,36 +61,32 @@ inline void stage_pair(ContactBlock& b, std::uint32_t slot, const Parcel& p, con
   b.mass_second[k] = q.mass;
 }
 
-/// A parcel at one surface, at the end of a step.
-struct WallSight {
-  NearestPoint nearest;  ///< in the frame of the body
-  Vec3 offset;           ///< from the parcel's centre to the nearest point, m
-  double distance;       ///< m
-};
-
 WallSight look(const Surface& surface, const Vec3& centre_in_body) {
   const NearestPoint nearest = nearest_point(surface, centre_in_body);
   const Vec3 offset = nearest.point - centre_in_body;
   return {nearest, offset, norm(offset)};
 }
 
-/// A contact on the edge of a surface is dropped if the edge belongs to another surface of the same body that
-/// is nearer (or as near and named first): an edge shared by two faces is one contact, and none while the
-/// parcel rests on the face itself.
-bool edge_belongs_to_other(const NearWalls& near, std::uint32_t slot, const WallSight& sight, const Parcel& p,
-                           const Vec3& centre_in_body, std::span<const Surface> surfaces) {
-  const std::uint32_t own = near.surface[slot];
-  const double same = 1e-9 * p.radius;
-  for (std::uint32_t k = near.begin[near.parcel[slot]]; k < near.begin[near.parcel[slot] + 1]; ++k) {
-    const std::uint32_t other = near.surface[k];
-    if (other == own || surfaces[other].body != surfaces[own].body) continue;
-    const Vec3 away = nearest_point(surfaces[other], sight.nearest.point).point - sight.nearest.point;
+/// Slot of the surface a contact on an edge belongs to: of the surfaces of the same body that share the edge the
+/// nearest, else one that is touched on its face, else the one named first. So an edge shared by two faces is one
+/// contact, and none while the parcel rests on a face itself.
+std::uint32_t owner_of_edge(const NearWalls& near, std::uint32_t begin, std::span<const WallSight> sights,
+                            std::uint32_t own, double radius, std::span<const Surface> surfaces) {
+  const double same = 1e-9 * radius;
+  const Surface& surface = surfaces[near.surface[begin + own]];
+  std::uint32_t best = own;
+  for (std::uint32_t other = 0; other < sights.size(); ++other) {
+    const Surface& s = surfaces[near.surface[begin + other]];
+    if (other == own || s.body != surface.body) continue;
+    const Vec3 away = nearest_point(s, sights[own].nearest.point).point - sights[own].nearest.point;
     if (dot(away, away) > same * same) continue;
-    const double distance = look(surfaces[other], centre_in_body).distance;
-    const bool as_near = magnitude(distance - sight.distance) <= same;
-    if (as_near ? other < own : distance < sight.distance) return true;
+    const WallSight &a = sights[other], &b = sights[best];
+    const bool as_near = magnitude(a.distance - b.distance) <= same;
+    if (as_near ? (a.nearest.in_face != b.nearest.in_face ? a.nearest.in_face : other < best)
+                : a.distance < b.distance)
+      best = other;
   }
-  return false;
+  return best;
 }
 
 void stage_wall(ContactBlock& b, std::uint32_t slot, const Parcel& p, const Surface& surface, const Pose& pose,
@@ -125,14 +121,14 @@ bool crossed(const Surface& surface, const Parcel& p, const Pose& pose, const Wa
 
 }  // namespace
 
-ContactEvaluator::ContactEvaluator(int threads, std::size_t classes) : threads_(threads) {
-  scratch_.resize(static_cast<std::size_t>(std::max(threads, 1)));
+ContactEvaluator::ContactEvaluator(int most_threads, std::size_t classes) {
+  scratch_.resize(static_cast<std::size_t>(std::max(most_threads, 1)));
   for (auto& s : scratch_) s.block.resize(classes);
 }
 
 void ContactEvaluator::pairs(NearPairs& near, const Parcels& parcels, const ContactClasses& classes,
-                             const NearestImage& nearest, double dt) {
-  parallel_shares(near.slots(), threads_, [&](std::size_t from, std::size_t to, int thread) {
+                             const NearestImage& nearest, double dt, int threads) {
+  parallel_shares(near.slots(), threads, [&](std::size_t from, std::size_t to, int thread) {
     auto& blocks = scratch_[static_cast<std::size_t>(thread)].block;
     const Parcel* body = parcels.body.data();
     for (std::size_t s = from; s < to; ++s) {
@@ -151,32 +147,67 @@ void ContactEvaluator::pairs(NearPairs& near, const Parcels& parcels, const Cont
   });
 }
 
+/// Looks at every surface near parcel `i` and gives each contact on a shared edge to one of them. A contact that
+/// changes surfaces there takes its memory along: it ends by its law only. Returns through `owner` the slot, from
+/// the parcel's first, that each contact now belongs to.
+void ContactEvaluator::settle_edges(NearWalls& near, std::uint32_t i, const Parcel& p,
+                                    std::span<const Surface> surfaces, std::span<const Pose> poses,
+                                    Scratch& scratch) {
+  const std::uint32_t begin = near.begin[i], count = near.begin[i + 1] - begin;
+  scratch.sights.resize(count);
+  scratch.owner.resize(count);
+  for (std::uint32_t k = 0; k < count; ++k) {
+    const Surface& surface = surfaces[near.surface[begin + k]];
+    scratch.sights[k] = look(surface, p.position - poses[surface.body].now);
+    scratch.owner[k] = k;
+  }
+  bool any = false;
+  for (std::uint32_t k = 0; k < count; ++k) {
+    const WallSight& sight = scratch.sights[k];
+    if (sight.nearest.in_face || !(near.touching[begin + k] || sight.distance < p.radius)) continue;
+    scratch.owner[k] = owner_of_edge(near, begin, scratch.sights, k, p.radius, surfaces);
+    any |= scratch.owner[k] != k;
+  }
+  if (!any) return;
+  for (std::uint32_t k = 0; k < count; ++k) {
+    if (scratch.owner[k] == k || !near.touching[begin + k]) continue;
+    std::uint32_t heir = scratch.owner[k];
+    for (std::uint32_t hop = 0; hop < count && scratch.owner[heir] != heir; ++hop) heir = scratch.owner[heir];
+    if (near.touching[begin + heir]) continue;
+    near.touching[begin + heir] = 1;
+    near.history[begin + heir] = near.history[begin + k];
+  }
+  for (std::uint32_t k = 0; k < count; ++k) {
+    if (scratch.owner[k] == k) continue;
+    near.touching[begin + k] = 0;
+    near.history[begin + k] = {};
+    near.load[begin + k] = {};
+  }
+}
+
 void ContactEvaluator::walls(NearWalls& near, const Parcels& parcels, std::span<const Surface> surfaces,
                              std::span<const Body> bodies, std::span<const Pose> poses,
                              const ContactClasses& classes, double dt, std::vector<Crossing>& crossings) {
   for (auto& s : scratch_) s.crossings.clear();
-  parallel_shares(near.slots(), threads_, [&](std::size_t from, std::size_t to, int thread) {
+  parallel_shares(parcels.size(), threads_, [&](std::size_t from, std::size_t to, int thread) {
     auto& scratch = scratch_[static_cast<std::size_t>(thread)];
-    for (std::size_t s = from; s < to; ++s) {
-      const auto slot = static_cast<std::uint32_t>(s);
-      const Parcel& p = parcels.body[near.parcel[s]];
-      const Surface& surface = surfaces[near.surface[s]];
-      const Pose& pose = poses[surface.body];
-      const Vec3 centre = p.position - pose.now;
-      const WallSight sight = look(surface, centre);
-      if (crossed(surface, p, pose, sight, dt)) scratch.crossings.push_back({near.parcel[s], near.surface[s]});
-      const bool in_reach = near.touching[s] || sight.distance < p.radius;
-      if (!in_reach || sight.distance == 0.0) continue;
-      if (!sight.nearest.in_face && edge_belongs_to_other(near, slot, sight, p, centre, surfaces)) {
-        near.touching[s] = 0;
-        near.history[s] = {};
-        near.load[s] = {};
-        continue;
+    for (auto i = static_cast<std::uint32_t>(from); i < to; ++i) {
+      const std::uint32_t begin = near.begin[i], end = near.begin[i + 1];
+      if (begin == end) continue;
+      const Parcel& p = parcels.body[i];
+      settle_edges(near, i, p, surfaces, poses, scratch);
+      for (std::uint32_t slot = begin; slot < end; ++slot) {
+        const Surface& surface = surfaces[near.surface[slot]];
+        const Pose& pose = poses[surface.body];
+        const WallSight& sight = scratch.sights[slot - begin];
+        if (crossed(surface, p, pose, sight, dt)) scratch.crossings.push_back({i, near.surface[slot]});
+        const bool in_reach = near.touching[slot] || sight.distance < p.radius;
+        if (!in_reach || sight.distance == 0.0 || scratch.owner[slot - begin] != slot - begin) continue;
+        const std::uint32_t c = classes.index(p.species, bodies[surface.body].species);
+        ContactBlock& b = scratch.block[c];
+        stage_wall(b, slot, p, surface, pose, sight, near, dt);
+        if (b.count == kernels::block_size) finish_walls(b, classes.all()[c], near, dt);
       }
-      const std::uint32_t c = classes.index(p.species, bodies[surface.body].species);
-      ContactBlock& b = scratch.block[c];
-      stage_wall(b, slot, p, surface, pose, sight, near, dt);
-      if (b.count == kernels::block_size) finish_walls(b, classes.all()[c], near, dt);
     }
     for (std::size_t c = 0; c < scratch.block.size(); ++c)
       if (scratch.block[c].count > 0) finish_walls(scratch.block[c], classes.all()[c], near, dt);

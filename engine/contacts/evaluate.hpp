@@ -15,26 +15,37 @@ struct Crossing {
   std::uint32_t surface;
 };
 
+/// A parcel at one surface, at the end of a step.
+struct WallSight {
+  NearestPoint nearest;  ///< in the frame of the body
+  Vec3 offset;           ///< from the parcel's centre to the nearest point, m
+  double distance;       ///< m
+};
+
 /// Evaluates all contacts of a step: stages what touches into blocks of one contact class each, runs the
 /// kernels, and puts results and history back into the slots. Which block a contact shares changes nothing:
 /// each result depends on its own contact alone.
 class ContactEvaluator {
  public:
-  ContactEvaluator(int threads, std::size_t classes);
+  ContactEvaluator(int most_threads, std::size_t classes);
 
   void pairs(NearPairs& near, const Parcels& parcels, const ContactClasses& classes, const NearestImage& nearest,
-             double dt);
+             double dt, int threads);
   /// Fills `crossings`, ascending in the parcel's index.
   void walls(NearWalls& near, const Parcels& parcels, std::span<const Surface> surfaces,
              std::span<const Body> bodies, std::span<const Pose> poses, const ContactClasses& classes, double dt,
-             std::vector<Crossing>& crossings);
+             int threads, std::vector<Crossing>& crossings);
 
  private:
   struct Scratch {
     std::vector<kernels::ContactBlock> block;  ///< one per contact class
     std::vector<Crossing> crossings;
+    std::vector<WallSight> sights;     ///< of one parcel, per slot
+    std::vector<std::uint32_t> owner;  ///< of one parcel, per slot: see settle_edges
   };
-  int threads_;
+  static void settle_edges(NearWalls& near, std::uint32_t parcel, const Parcel& p, std::span<const Surface> surfaces,
+                           std::span<const Pose> poses, Scratch& scratch);
+
   std::vector<Scratch> scratch_;
 };
 

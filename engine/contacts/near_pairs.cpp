@@ -170,4 +170,13 @@ std::size_t NearPairs::restore(const TouchingList& list, std::span<const std::ui
   return total;
 }
 
+void NearPairs::take_over_loads(const NearPairs& old, std::span<const std::uint32_t> old_index) {
+  for (std::size_t slot = 0; slot < slots(); ++slot) {
+    if (!touching[slot]) continue;
+    const std::uint32_t i = old_index[first[slot]], j = old_index[second[slot]];
+    for (std::uint32_t k = old.begin[i]; k < old.begin[i + 1]; ++k)
+      if (!(old.entry[k] & 1u) && old.second[old.entry[k] >> 1] == j) load[slot] = old.load[old.entry[k] >> 1];
+  }
+}
+
 }  // namespace pulvis

@@ -36,6 +36,10 @@ class NearPairs {
   std::size_t restore(const TouchingList& list, std::span<const std::uint32_t> old_index,
                       const Parcels& parcels, int threads);
 
+  /// Takes the loads of the contacts that touch over from the lists before a rebuild, where each parcel stood at
+  /// `old_index`, so that they can still be asked for before the next evaluation.
+  void take_over_loads(const NearPairs& old, std::span<const std::uint32_t> old_index);
+
   std::size_t slots() const { return first.size(); }
 
   // Per slot. The first has the lower id.

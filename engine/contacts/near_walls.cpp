@@ -72,4 +72,13 @@ std::size_t NearWalls::restore(const TouchingList& list, std::span<const std::ui
   return total;
 }
 
+void NearWalls::take_over_loads(const NearWalls& old, std::span<const std::uint32_t> old_index) {
+  for (std::size_t slot = 0; slot < slots(); ++slot) {
+    if (!touching[slot]) continue;
+    const std::uint32_t i = old_index[parcel[slot]];
+    for (std::uint32_t k = old.begin[i]; k < old.begin[i + 1]; ++k)
+      if (old.surface[k] == surface[slot]) load[slot] = old.load[k];
+  }
+}
+
 }  // namespace pulvis

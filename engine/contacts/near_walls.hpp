@@ -21,6 +21,9 @@ class NearWalls {
   /// As NearPairs::restore.
   std::size_t restore(const TouchingList& list, std::span<const std::uint32_t> old_index);
 
+  /// As NearPairs::take_over_loads.
+  void take_over_loads(const NearWalls& old, std::span<const std::uint32_t> old_index);
+
   std::size_t slots() const { return parcel.size(); }
 
   std::vector<std::uint32_t> begin;  ///< per parcel, slots [begin[k], begin[k + 1])

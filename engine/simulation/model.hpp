@@ -24,6 +24,9 @@ struct Model {
   double smallest_radius = 0.0, largest_radius = 0.0;  ///< m, of all parcels that can appear
   /// Scales the margin of the neighbour lists; changes speed, never a bit of the result.
   double skin = 1.0;
+  /// A thread is worth waking for this many parcels: below, waiting for each other costs more than it saves.
+  /// Changes speed only.
+  std::size_t parcels_per_thread = 5000;
 };
 
 }  // namespace pulvis

@@ -35,11 +35,11 @@ State Simulation::initial_state(const Model& model) {
 Simulation::Simulation(Model model, State state, int threads)
     : model_(std::move(model)),
       state_(std::move(state)),
-      threads_(std::max(threads, 1)),
+      most_threads_(std::max(threads, 1)),
       nearest_(NearestImage::of(model_.domain)),
       reach_(model_.classes.longest_reach(model_.largest_radius)),
       poses_(model_.bodies.size()),
-      evaluator_(threads_, model_.classes.all().size()) {
+      evaluator_(most_threads_, model_.classes.all().size()) {
   for (std::size_t b = 0; b < poses_.size(); ++b) {
     const Vec3 at = displacement_at(b, state_.step);
     poses_[b] = {at, at};
@@ -49,16 +49,21 @@ Simulation::Simulation(Model model, State state, int threads)
   rebuild(pairs, walls, same_order(state_.parcels.size()));
 }
 
+int Simulation::threads() const {
+  const std::size_t worth = std::max<std::size_t>(1, state_.parcels.size() / model_.parcels_per_thread);
+  return static_cast<int>(std::min<std::size_t>(static_cast<std::size_t>(most_threads_), worth));
+}
+
 void Simulation::step() {
   insert_due_parcels();
-  const StepNotice notice = begin_step(state_.parcels, model_.domain, model_.dt, reference_, margin_, threads_);
+  const StepNotice notice = begin_step(state_.parcels, model_.domain, model_.dt, reference_, margin_, threads());
   move_bodies_to(state_.step + 1);
   if (notice.outside || notice.too_fast) take_out_escaped(notice);
   if (notice.stale || a_body_left_its_margin()) rebuild();
-  evaluator_.pairs(pairs_, state_.parcels, model_.classes, nearest_, model_.dt);
+  evaluator_.pairs(pairs_, state_.parcels, model_.classes, nearest_, model_.dt, threads());
   evaluator_.walls(walls_, state_.parcels, model_.surfaces, model_.bodies, poses_, model_.classes, model_.dt,
-                   crossings_);
-  end_step(state_.parcels, pairs_, walls_, model_.gravity, model_.dt, threads_);
+                   threads(), crossings_);
+  end_step(state_.parcels, pairs_, walls_, model_.gravity, model_.dt, threads());
   ++state_.step;
   if (!crossings_.empty()) take_out_crossed();
 }
@@ -84,7 +89,7 @@ void Simulation::insert_due_parcels() {
     fresh.insert(fresh.end(), drawn.begin(), drawn.end());
   }
   if (fresh.empty()) return;
-  const TouchingList old_pairs = pairs_.pack(state_.parcels, threads_), old_walls = walls_.pack();
+  const TouchingList old_pairs = pairs_.pack(state_.parcels, threads()), old_walls = walls_.pack();
   auto old_index = same_order(state_.parcels.size());
   for (Parcel& p : fresh) {
     p.id = state_.next_id++;
@@ -175,7 +180,7 @@ void Simulation::remove(std::vector<std::uint32_t>& indices) {
     ++state_.ledger.escaped;
     state_.ledger.escaped_mass += state_.parcels.body[i].mass;
   }
-  const TouchingList old_pairs = pairs_.pack(state_.parcels, threads_), old_walls = walls_.pack();
+  const TouchingList old_pairs = pairs_.pack(state_.parcels, threads()), old_walls = walls_.pack();
   std::vector<std::uint32_t> old_index;
   Parcels kept;
   for (std::size_t i = 0; i < gone.size(); ++i) {
@@ -185,7 +190,11 @@ void Simulation::remove(std::vector<std::uint32_t>& indices) {
     old_index.push_back(static_cast<std::uint32_t>(i));
   }
   state_.parcels = std::move(kept);
-  rebuild(old_pairs, old_walls, std::move(old_index));
+  const NearPairs pairs_before = pairs_;
+  const NearWalls walls_before = walls_;
+  rebuild(old_pairs, old_walls, old_index);
+  pairs_.take_over_loads(pairs_before, old_index);
+  walls_.take_over_loads(walls_before, old_index);
 }
 
 // --- near lists ------------------------------------------------------------------------------------------
@@ -249,7 +258,7 @@ void Simulation::sort_along_space(std::vector<std::uint32_t>& old_index) {
 }
 
 void Simulation::rebuild() {
-  const TouchingList old_pairs = pairs_.pack(state_.parcels, threads_), old_walls = walls_.pack();
+  const TouchingList old_pairs = pairs_.pack(state_.parcels, threads()), old_walls = walls_.pack();
   rebuild(old_pairs, old_walls, same_order(state_.parcels.size()));
 }
 
@@ -263,9 +272,9 @@ void Simulation::rebuild(const TouchingList& old_pairs, const TouchingList& old_
   body_reference_.resize(poses_.size());
   for (std::size_t b = 0; b < poses_.size(); ++b) body_reference_[b] = poses_[b].now;
 
-  pairs_.rebuild(state_.parcels, margin_, reach_, model_.domain, threads_);
-  walls_.rebuild(state_.parcels, model_.surfaces, poses_, margin_, body_margin_, reach_, threads_);
-  const std::size_t found = pairs_.restore(old_pairs, old_index, state_.parcels, threads_) +
+  pairs_.rebuild(state_.parcels, margin_, reach_, model_.domain, threads());
+  walls_.rebuild(state_.parcels, model_.surfaces, poses_, margin_, body_margin_, reach_, threads());
+  const std::size_t found = pairs_.restore(old_pairs, old_index, state_.parcels, threads()) +
                             walls_.restore(old_walls, old_index);
 
   // Contacts may end only by separation or with a parcel that was taken out.
@@ -279,7 +288,7 @@ void Simulation::rebuild(const TouchingList& old_pairs, const TouchingList& old_
 
 State Simulation::snapshot() const {
   State copy = state_;
-  copy.pairs = pairs_.pack(state_.parcels, threads_);
+  copy.pairs = pairs_.pack(state_.parcels, threads());
   copy.walls = walls_.pack();
   return copy;
 }

@@ -37,7 +37,8 @@ class Simulation {
   const NearWalls& walls() const { return walls_; }
   double time() const { return static_cast<double>(state_.step) * model_.dt; }
   Vec3 body_displacement(std::size_t body) const { return poses_[body].now; }
-  int threads() const { return threads_; }
+  /// Threads in use: no more than are worth waking for so many parcels.
+  int threads() const;
   std::uint64_t rebuilds() const { return rebuilds_; }
 
   /// Force of all parcels on a surface, N, summed in order of ids.
@@ -65,7 +66,7 @@ class Simulation {
 
   Model model_;
   State state_;
-  int threads_;
+  int most_threads_;
   NearestImage nearest_;
   double reach_ = 0.0;
   std::vector<Pose> poses_;

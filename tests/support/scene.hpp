@@ -41,19 +41,26 @@ inline laws::MaterialPair material_pair(const Stuff& a, const Stuff& b) {
   return pair;
 }
 
-/// A model of one species for parcels and walls alike, in a box, with gravity along -z and no walls.
-inline Model one_material(const Stuff& stuff, const LawParts& parts, const Vec3& low, const Vec3& high, double dt,
-                          double smallest_radius, double largest_radius) {
+/// A model of one contact class for parcels and walls alike, in a box, with gravity along -z and no walls.
+inline Model one_pair(const laws::MaterialPair& pair, const LawParts& parts, const Vec3& low, const Vec3& high,
+                      double dt, double smallest_radius, double largest_radius) {
   Model m;
   m.domain.min = low;
   m.domain.max = high;
   m.gravity = {0, 0, -9.81};
   m.dt = dt;
   m.classes = ContactClasses(1);
-  m.classes.set(0, 0, contact_class(material_pair(stuff, stuff), parts));
+  m.classes.set(0, 0, contact_class(pair, parts));
+  m.parcels_per_thread = 1;  // small scenes, but threads must be tried
   m.smallest_radius = smallest_radius;
   m.largest_radius = largest_radius;
   return m;
+}
+
+/// The same for one species, mixed with itself.
+inline Model one_material(const Stuff& stuff, const LawParts& parts, const Vec3& low, const Vec3& high, double dt,
+                          double smallest_radius, double largest_radius) {
+  return one_pair(material_pair(stuff, stuff), parts, low, high, dt, smallest_radius, largest_radius);
 }
 
 inline void add_wall(Model& m, Surface surface) {

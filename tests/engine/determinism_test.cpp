@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+// The state after many steps must depend on the model and the start only: not on threads, lists, instruction set,
+// order in the store, or on having been saved and loaded.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "engine/base/failure.hpp"
+#include "tests/engine/sticky_scene.hpp"
+#include "tests/support/sums.hpp"
+
+using namespace pulvis;
+using namespace pulvis::scenes;
+
+namespace {
+
+std::string hash_after(Simulation s, std::uint64_t steps = sticky_steps) {
+  go(s, steps);
+  return state_hash(s.snapshot());
+}
+
+/// The result all others are held against: one thread, skin 1, the best instruction set.
+const std::string& plain_hash() {
+  static const std::string hash = hash_after(sticky_start(1));
+  return hash;
+}
+
+TEST(StateHash, SceneIsWorthTheTrouble) {
+  Simulation s = sticky_start(1);
+  std::size_t stretched = 0;
+  for (std::uint64_t k = 0; k < sticky_steps; ++k) {
+    s.step();
+    if (k % 100) continue;
+    for (std::size_t slot = 0; slot < s.pairs().slots(); ++slot) {
+      const Parcel &p = s.state().parcels.body[s.pairs().first[slot]],
+                   &q = s.state().parcels.body[s.pairs().second[slot]];
+      const Vec3 d = NearestImage::of(s.model().domain)(q.position - p.position);
+      stretched += s.pairs().touching[slot] && norm(d) > p.radius + q.radius;
+    }
+  }
+  EXPECT_EQ(s.state().ledger.inserted, 600u);
+  EXPECT_EQ(s.state().parcels.size() + s.state().ledger.escaped, 600u);
+  EXPECT_EQ(s.state().ledger.escaped, 0u);
+  EXPECT_GT(touching(s.pairs()), 900u);
+  EXPECT_GT(touching(s.walls()), 50u);
+  EXPECT_GT(stretched, 100u);
+  EXPECT_GT(s.rebuilds(), 64u) << "the store is sorted several times";
+  EXPECT_EQ(state_hash(s.snapshot()), plain_hash());
+}
+
+TEST(StateHash, IsTheSameForTwoAndThreeThreads) {
+  EXPECT_EQ(hash_after(sticky_start(2)), plain_hash());
+  EXPECT_EQ(hash_after(sticky_start(3)), plain_hash());
+}
+
+TEST(StateHash, IsTheSameForHalfAndTwiceTheSkin) {
+  EXPECT_EQ(hash_after(sticky_start(1, 0.5)), plain_hash());
+  EXPECT_EQ(hash_after(sticky_start(1, 2.0)), plain_hash());
+}
+
+TEST(StateHash, IsTheSameForEveryInstructionSet) {
+  const std::string expected = plain_hash();
+  for (const char* set : {"baseline", "avx2", "avx512"}) {
+    setenv("PULVIS_INSTRUCTION_SET", set, 1);
+    EXPECT_EQ(hash_after(sticky_start(1)), expected) << set;
+  }
+  unsetenv("PULVIS_INSTRUCTION_SET");
+}
+
+TEST(StateHash, IsTheSameAfterSavingAndLoadingOnTheWay) {
+  for (const std::uint64_t moment : {std::uint64_t{0}, std::uint64_t{1}, std::uint64_t{1777}, sticky_steps - 1}) {
+    Simulation first = sticky_start(1);
+    go(first, moment);
+    const auto bytes = save_state(first.snapshot());
+    Simulation second(sticky_model(0.7), load_state(bytes), 2);
+    EXPECT_EQ(state_hash(second.snapshot()), state_hash(first.snapshot()));
+    EXPECT_EQ(hash_after(std::move(second), sticky_steps - moment), plain_hash()) << "saved at step " << moment;
+  }
+}
+
+TEST(StateHash, IsTheSameForAnyOrderOfTheStore) {
+  auto parcels = sticky_parcels();
+  for (std::size_t k = 0; k < parcels.size(); ++k) std::swap(parcels[k], parcels[(k * 7919) % parcels.size()]);
+  EXPECT_EQ(hash_after(sticky_start(1, 1.0, parcels)), plain_hash());
+  std::sort(parcels.begin(), parcels.end(), [](const Parcel& a, const Parcel& b) { return a.id > b.id; });
+  EXPECT_EQ(hash_after(sticky_start(2, 1.0, parcels)), plain_hash());
+}
+
+TEST(StateHash, DiffersIfOneBitOfOneParcelDiffers) {
+  auto parcels = sticky_parcels();
+  parcels[123].spin.y = std::nextafter(parcels[123].spin.y, 1e9);
+  EXPECT_NE(hash_after(sticky_start(1, 1.0, parcels), 1), hash_after(sticky_start(1), 1));
+}
+
+TEST(StateHash, SeesContactHistoryToo) {
+  Simulation s = sticky_start(1);
+  go(s, 1000);
+  State a = s.snapshot(), b = a;
+  ASSERT_GT(a.pairs.size(), 0u);
+  b.pairs.history[0].roll.x += 1e-20;
+  EXPECT_NE(state_hash(a), state_hash(b));
+}
+
+}  // namespace

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: Apache-2.0
+// Cell lists and pairs against brute force over all pairs and all 27 images.
+#include "engine/contacts/near_pairs.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <set>
+#include <utility>
+
+#include "tests/support/draw.hpp"
+
+using namespace pulvis;
+using pulvis::testing::Draw;
+
+namespace {
+
+struct Packing {
+  Box box;
+  Parcels parcels;
+  std::vector<double> margin;
+  double reach = 0.0;
+};
+
+/// Random overlapping spheres of radii 1 : `ratio`, in a box of 3 to 12 of the largest distances at which a pair
+/// counts; along periodic axes down to `smallest_period` of them. Ids are in no order.
+Packing random_packing(std::uint64_t number, const bool (&periodic)[3], std::size_t count, double smallest_period) {
+  Draw draw(number, 21);
+  Packing p;
+  const double ratio = draw.between(1.0, 6.0);
+  p.reach = draw.chance(0.5) ? 0.0 : draw.between(0.0, 0.3);
+  const double cutoff = 2.0 * (1.6 * ratio) + p.reach;
+  for (int axis = 0; axis < 3; ++axis) {
+    p.box.periodic[axis] = periodic[axis];
+    p.box.min[axis] = draw.between(-50.0, 50.0);
+    p.box.max[axis] = p.box.min[axis] + cutoff * draw.between(periodic[axis] ? smallest_period : 0.5, 4.0);
+  }
+  std::vector<std::uint32_t> id(count);
+  std::iota(id.begin(), id.end(), 0u);
+  for (std::size_t k = 0; k < count; ++k) {
+    std::swap(id[k], id[k + static_cast<std::size_t>(draw.between(0.0, static_cast<double>(count - k)))]);
+    Parcel q;
+    q.id = id[k];
+    q.radius = draw.between(1.0, ratio);
+    for (int axis = 0; axis < 3; ++axis) {
+      q.position[axis] = draw.between(p.box.min[axis], p.box.max[axis]);
+      // Some lie on the rim itself, which counts as inside.
+      if (draw.chance(0.01)) q.position[axis] = draw.chance(0.5) ? p.box.min[axis] : p.box.max[axis];
+    }
+    p.parcels.body.push_back(q);
+    p.parcels.load.push_back({});
+    p.margin.push_back(q.radius * draw.between(0.02, 0.6));
+  }
+  return p;
+}
+
+/// Shortest distance between any two images.
+double shortest(const Packing& p, std::size_t i, std::size_t j) {
+  const Vec3 d = p.parcels.body[j].position - p.parcels.body[i].position, extent = p.box.extent();
+  double best = 1e300;
+  for (int x = -1; x <= 1; ++x)
+    for (int y = -1; y <= 1; ++y)
+      for (int z = -1; z <= 1; ++z) {
+        if ((x && !p.box.periodic[0]) || (y && !p.box.periodic[1]) || (z && !p.box.periodic[2])) continue;
+        best = std::min(best, norm(d + Vec3{x * extent.x, y * extent.y, z * extent.z}));
+      }
+  return best;
+}
+
+using Pairs = std::set<std::pair<std::uint32_t, std::uint32_t>>;
+
+void expect_pairs_of_brute_force(const Packing& p, int threads) {
+  NearPairs near;
+  near.rebuild(p.parcels, p.margin, p.reach, p.box, threads);
+  Pairs found;
+  for (std::size_t s = 0; s < near.slots(); ++s) {
+    const auto a = p.parcels.body[near.first[s]].id, b = p.parcels.body[near.second[s]].id;
+    ASSERT_LT(a, b) << "the first of a pair has the lower id";
+    ASSERT_TRUE(found.insert({a, b}).second) << "a pair has one slot";
+  }
+  const auto& body = p.parcels.body;
+  for (std::size_t i = 0; i < body.size(); ++i)
+    for (std::size_t j = i + 1; j < body.size(); ++j) {
+      const double far = body[i].radius + body[j].radius + p.margin[i] + p.margin[j] + p.reach, d = shortest(p, i, j);
+      if (std::fabs(d - far) < 1e-9) continue;
+      const std::pair key{std::min(body[i].id, body[j].id), std::max(body[i].id, body[j].id)};
+      ASSERT_EQ(found.count(key) == 1, d < far) << "parcels " << i << " and " << j << " at " << d << " of " << far;
+    }
+  // Each parcel lists its slots by the partner's id.
+  std::size_t entries = 0;
+  for (std::size_t i = 0; i < body.size(); ++i) {
+    std::int64_t last = -1;
+    for (std::uint32_t k = near.begin[i]; k < near.begin[i + 1]; ++k, ++entries) {
+      const std::uint32_t slot = near.entry[k] >> 1;
+      const bool is_second = near.entry[k] & 1u;
+      ASSERT_EQ(is_second ? near.second[slot] : near.first[slot], i);
+      const std::int64_t partner = body[is_second ? near.first[slot] : near.second[slot]].id;
+      ASSERT_GT(partner, last);
+      last = partner;
+    }
+  }
+  ASSERT_EQ(entries, 2 * near.slots());
+}
+
+constexpr bool open_box[3] = {false, false, false}, column[3] = {false, true, false}, all_around[3] = {true, true, true};
+
+TEST(NearPairs, AreThoseOfBruteForceInAnOpenBox) {
+  for (std::uint64_t k = 0; k < 20; ++k) expect_pairs_of_brute_force(random_packing(k, open_box, 400, 2.0), 1);
+}
+TEST(NearPairs, AreThoseOfBruteForceWithOnePeriodicAxis) {
+  for (std::uint64_t k = 0; k < 20; ++k) expect_pairs_of_brute_force(random_packing(100 + k, column, 400, 2.0), 1);
+}
+TEST(NearPairs, AreThoseOfBruteForceWithThreePeriodicAxes) {
+  for (std::uint64_t k = 0; k < 20; ++k) expect_pairs_of_brute_force(random_packing(200 + k, all_around, 400, 2.0), 1);
+}
+TEST(NearPairs, AreThoseOfBruteForceInPeriodicBoxesOfOneAndTwoCells) {
+  for (std::uint64_t k = 0; k < 60; ++k) expect_pairs_of_brute_force(random_packing(300 + k, all_around, 60, 0.3), 1);
+}
+TEST(NearPairs, AreTheSameForAnyNumberOfThreads) {
+  for (std::uint64_t k = 0; k < 5; ++k) {
+    const Packing p = random_packing(400 + k, column, 1000, 1.0);
+    NearPairs one, two, three;
+    one.rebuild(p.parcels, p.margin, p.reach, p.box, 1);
+    two.rebuild(p.parcels, p.margin, p.reach, p.box, 2);
+    three.rebuild(p.parcels, p.margin, p.reach, p.box, 3);
+    expect_pairs_of_brute_force(p, 3);
+    for (const NearPairs* other : {&two, &three}) {
+      EXPECT_EQ(one.first, other->first);
+      EXPECT_EQ(one.second, other->second);
+      EXPECT_EQ(one.begin, other->begin);
+      EXPECT_EQ(one.entry, other->entry);
+    }
+  }
+}
+TEST(NearPairs, AreNoneAmongNoneAndOneParcel) {
+  for (const std::size_t count : {std::size_t{0}, std::size_t{1}}) {
+    const Packing p = random_packing(500, all_around, count, 2.0);
+    NearPairs near;
+    near.rebuild(p.parcels, p.margin, p.reach, p.box, 2);
+    EXPECT_EQ(near.slots(), 0u);
+    EXPECT_EQ(near.begin.size(), count + 1);
+  }
+}
+
+TEST(CellGrid, RangesAroundACellHoldEveryPointWithinTheEdgeExactlyOnce) {
+  for (std::uint64_t number = 0; number < 40; ++number) {
+    Draw draw(number, 22);
+    const bool periodic[3] = {draw.chance(0.5), draw.chance(0.5), draw.chance(0.5)};
+    const Packing p = random_packing(600 + number, periodic, 300, 0.3);
+    const double edge = draw.between(0.5, 5.0);
+    CellGrid grid;
+    grid.build(p.box, edge, p.parcels.size(), [&](std::size_t k) { return p.parcels.body[k].position; });
+    for (std::size_t i = 0; i < p.parcels.size(); ++i) {
+      std::map<std::uint32_t, int> seen;
+      grid.for_ranges_around(grid.cell_of(i), [&](std::uint32_t from, std::uint32_t to) {
+        for (std::uint32_t k = from; k < to; ++k) ++seen[grid.order()[k]];
+      });
+      for (const auto& [point, times] : seen) ASSERT_EQ(times, 1);
+      for (std::size_t j = 0; j < p.parcels.size(); ++j)
+        if (shortest(p, i, j) < edge * (1.0 - 1e-12)) {
+          ASSERT_EQ(seen.count(static_cast<std::uint32_t>(j)), 1u);
+        }
+    }
+  }
+}
+
+TEST(ContactHistory, SurvivesARebuildInAnotherOrder) {
+  Packing p = random_packing(700, column, 600, 1.0);
+  NearPairs near;
+  near.rebuild(p.parcels, p.margin, p.reach, p.box, 1);
+  // Every third pair touches and remembers numbers of its own.
+  const auto memory = [](std::uint32_t a, std::uint32_t b) {
+    return laws::History{{a * 1.0, b * 1.0, a * 1e3 + b}, {b * 2.0, a * 3.0, 1.0}};
+  };
+  std::size_t count = 0;
+  for (std::size_t s = 0; s < near.slots(); s += 3, ++count) {
+    near.touching[s] = 1;
+    near.history[s] = memory(p.parcels.body[near.first[s]].id, p.parcels.body[near.second[s]].id);
+  }
+  const TouchingList list = near.pack(p.parcels, 2);
+  ASSERT_EQ(list.size(), count);
+
+  // Sorted by id, and with two new parcels between them.
+  std::vector<std::uint32_t> old_index(p.parcels.size());
+  std::iota(old_index.begin(), old_index.end(), 0u);
+  std::sort(old_index.begin(), old_index.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return p.parcels.body[a].id < p.parcels.body[b].id; });
+  old_index.insert(old_index.begin() + 100, NearPairs::no_parcel);
+  old_index.push_back(NearPairs::no_parcel);
+  Parcels moved;
+  std::vector<double> margin;
+  std::uint32_t fresh = 5000;
+  for (const std::uint32_t k : old_index) {
+    const std::uint32_t source = k == NearPairs::no_parcel ? 0u : k;
+    moved.body.push_back(p.parcels.body[source]);
+    if (k == NearPairs::no_parcel) moved.body.back().id = fresh++;
+    margin.push_back(1.1 * p.margin[source]);  // and with other lists
+  }
+  moved.load.resize(moved.body.size());
+  for (const int threads : {1, 2, 3}) {
+    NearPairs after;
+    after.rebuild(moved, margin, p.reach, p.box, threads);
+    EXPECT_EQ(after.restore(list, old_index, moved, threads), count);
+    std::size_t touching = 0;
+    for (std::size_t s = 0; s < after.slots(); ++s) {
+      if (!after.touching[s]) continue;
+      ++touching;
+      const auto expected = memory(moved.body[after.first[s]].id, moved.body[after.second[s]].id);
+      ASSERT_EQ(after.history[s].slide, expected.slide);
+      ASSERT_EQ(after.history[s].roll, expected.roll);
+    }
+    EXPECT_EQ(touching, count);
+  }
+}
+
+}  // namespace
