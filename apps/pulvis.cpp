@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <csignal>
+#include <cstdio>
 #include <filesystem>
 
 #include "apps/templates.hpp"
@@ -96,6 +97,9 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
+    // The library would only say that a subcommand is missing.
+    if (argc > 1 && argv[1][0] != '-' && app.get_subcommands().empty())
+      fmt::print(stderr, "pulvis: there is no command \"{}\"\n", argv[1]);
     const int code = app.exit(error);
     return code == 0 ? 0 : static_cast<int>(Exit::usage);
   }
@@ -117,6 +121,8 @@ int main(int argc, char** argv) {
     } else {
       fmt::print("{}", pulvis::json_schema());
     }
+    // What was printed may reach a full disk only now.
+    if (std::fflush(stdout) != 0) throw Failure(Exit::io, "cannot write to the standard output");
     return static_cast<int>(result);
   } catch (const Failure& failure) {
     fmt::print(stderr, "{}{}\n", failure.code() == Exit::bad_case ? "" : "pulvis: ", failure.what());

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Time per particle-step on settled beds of growing size: bench/step_time [--threads N] [--jkr] COUNT...
+// Time per particle-step and memory on settled beds of growing size: step_time [--threads N] [--jkr] [COUNT...]
+// A bed of 10,000 is settled once and laid side by side, so that all sizes are the same bed.
 #include <fmt/format.h>
+#include <sys/resource.h>
 
 #include <chrono>
 #include <cmath>
@@ -12,51 +14,64 @@
 
 namespace {
 
+using namespace pulvis;
+
+constexpr std::size_t tile = 10000;
+constexpr double width = 0.04;  // m
+constexpr int settling_steps = 30000, warm_up = 300;
+
 double now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+double peak_bytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) * 1024.0;
+}
+
+void measure(const State& settled, std::size_t count, const scenes::Stuff& stuff, const scenes::LawParts& parts,
+             int threads) {
+  const auto tiles = static_cast<std::uint32_t>(std::lround(std::sqrt(static_cast<double>(count) / tile)));
+  const Model model = scenes::yardstick_model(stuff, parts, width * std::max(tiles, 1u), 0.3);
+  Simulation simulation(model, scenes::tiled(settled, width, std::max(tiles, 1u)), threads);
+  for (int k = 0; k < warm_up; ++k) simulation.step();
+  const std::size_t parcels = simulation.state().parcels.size();
+  const int steps = static_cast<int>(std::max<std::size_t>(100, 20'000'000 / parcels));
+  const auto rebuilds = simulation.rebuilds();
+  const double start = now();
+  for (int k = 0; k < steps; ++k) simulation.step();
+  const double per = (now() - start) / steps / static_cast<double>(parcels);
+  std::size_t touching = 0;
+  for (const auto t : simulation.pairs().touching) touching += t;
+  const auto n = static_cast<double>(parcels);
+  fmt::print("{:>10} {:>8} {:>10.1f} {:>12.2f} {:>10.2f} {:>10.2f} {:>12.4f} {:>12.0f} {:>12.0f}\n", parcels, threads,
+             per * 1e9, 1e-6 / per, static_cast<double>(touching) / n, static_cast<double>(simulation.pairs().slots()) / n,
+             static_cast<double>(simulation.rebuilds() - rebuilds) / steps, static_cast<double>(simulation.memory()) / n,
+             peak_bytes() / n);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  using namespace pulvis;
   int threads = 1;
-  bool jkr = false;
+  scenes::LawParts parts;
+  scenes::Stuff stuff;
   std::vector<std::size_t> counts;
   for (int k = 1; k < argc; ++k) {
-    if (!std::strcmp(argv[k], "--threads") && k + 1 < argc) threads = std::stoi(argv[++k]);
-    else if (!std::strcmp(argv[k], "--jkr")) jkr = true;
-    else counts.push_back(std::stoul(argv[k]));
+    if (!std::strcmp(argv[k], "--threads") && k + 1 < argc)
+      threads = std::stoi(argv[++k]);
+    else if (!std::strcmp(argv[k], "--jkr")) {
+      parts.normal = "jkr";
+      stuff.work_of_adhesion = 0.1;
+    } else
+      counts.push_back(std::stoul(argv[k]));
   }
-  if (counts.empty()) counts = {10000, 100000, 1000000};
-  fmt::print("{:>10} {:>8} {:>14} {:>14} {:>10} {:>12} {:>14}\n", "parcels", "threads", "ns/step/parcel",
-             "Msteps/s", "contacts", "rebuild/step", "bytes/parcel");
-  for (const std::size_t count : counts) {
-    // A bed as high as it is wide keeps the share of surface alike at every size.
-    const double spacing = 0.00252, radius = 0.00125;
-    const double width = spacing * std::round(std::cbrt(static_cast<double>(count)));
-    scenes::LawParts parts;
-    if (jkr) parts.normal = "jkr";
-    scenes::Stuff stuff;
-    stuff.work_of_adhesion = jkr ? 0.1 : 0.0;
-    Model model = scenes::yardstick_model(parts, width, 1.2 * width + 0.02);
-    model.classes = ContactClasses(1);
-    model.classes.set(0, 0, scenes::contact_class(scenes::material_pair(stuff, stuff), parts));
-    Simulation simulation(model, scenes::state_of(model, scenes::loose_lattice(count, width, spacing, radius, 2500.0)),
-                          threads);
-    const int settle = 3000, measure = count > 300000 ? 200 : 1000;
-    for (int k = 0; k < settle; ++k) simulation.step();
-    const auto rebuilds = simulation.rebuilds();
-    const double start = now();
-    for (int k = 0; k < measure; ++k) simulation.step();
-    const double seconds = now() - start;
-    const double per = seconds / measure / static_cast<double>(count);
-    std::size_t touching = 0;
-    for (const auto t : simulation.pairs().touching) touching += t;
-    fmt::print("{:>10} {:>8} {:>14.1f} {:>14.2f} {:>10.2f} {:>12.3f} {:>14.0f}\n", count, threads, per * 1e9, 1e-6 / per,
-               static_cast<double>(touching) / static_cast<double>(count),
-               static_cast<double>(simulation.rebuilds() - rebuilds) / measure,
-               static_cast<double>(simulation.memory()) / static_cast<double>(count));
-  }
+  if (counts.empty()) counts = {10000, 90000, 1000000};
+  fmt::print("{} kernels; settling a bed of {}\n", kernels::name_of(kernels::instruction_set()), tile);
+  const State settled = scenes::settled_yardstick(stuff, parts, width, tile, settling_steps, threads);
+  fmt::print("{:>10} {:>8} {:>10} {:>12} {:>10} {:>10} {:>12} {:>12} {:>12}\n", "parcels", "threads", "ns/step",
+             "Mp-steps/s", "contacts", "near", "rebuild/step", "bytes", "peak bytes");
+  for (const std::size_t count : counts) measure(settled, count, stuff, parts, threads);
   return 0;
 }

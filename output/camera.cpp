@@ -9,10 +9,10 @@ namespace pulvis {
 namespace {
 
 constexpr double degree = 3.14159265358979 / 180.0;
-constexpr double azimuth = 24.0 * degree;    // beside the normal of the cut, so that depth is seen
-constexpr double elevation = 22.0 * degree;  // enough to see the floor and the powder's surface
+constexpr double azimuth = 24.0 * degree;               // beside the normal of the cut, so that depth is seen
+constexpr double elevation = 22.0 * degree;             // enough to see the floor and the powder's surface
 constexpr double elevation_from_above = 55.0 * degree;  // onto a horizontal cut
-constexpr double margin = 1.03;              // air around the scene
+constexpr double margin = 1.03;                         // air around the scene
 
 Vec3 unit(const Vec3& a) { return a / norm(a); }
 

@@ -62,7 +62,8 @@ CsvLog::CsvLog(std::string path, std::vector<std::string> columns, FileCalls cal
 CsvLog::~CsvLog() { ::close(file_); }
 
 void CsvLog::add(std::span<const CsvCell> cells) {
-  if (cells.size() != columns_) throw std::invalid_argument("a line of " + path_ + " has a wrong number of cells");
+  if (cells.size() != columns_)
+    throw std::invalid_argument("a line of " + path_ + " has a wrong number of cells");
   line_.clear();
   for (const CsvCell& cell : cells) {
     if (&cell != cells.data()) line_ += ',';

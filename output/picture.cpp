@@ -86,7 +86,8 @@ void draw_colour_bar(Image& image, Typeface& typeface, const Layout& layout, con
   };
   if (!(range > 0.0) || !std::isfinite(range)) return tick(bar.minimum, 0.5 * (top + bottom));
   const double step = round_down(range / 4.0);
-  for (double number = std::ceil(bar.minimum / step - 1e-9); number * step <= bar.maximum + 1e-9 * range; ++number)
+  for (double number = std::ceil(bar.minimum / step - 1e-9); number * step <= bar.maximum + 1e-9 * range;
+       ++number)
     tick(number * step, bottom - (number * step - bar.minimum) / range * place.height);
 }
 

@@ -96,8 +96,9 @@ class SharpEdges {
   }
 
   void add_edge(const Vec3& a, const Vec3& b, const Vec3& normal) {
-    const auto ends = std::minmax(place(a), place(b));
-    Edge& edge = edges_[{ends.first, ends.second}];
+    std::pair<Place, Place> ends{place(a), place(b)};
+    if (ends.second < ends.first) std::swap(ends.first, ends.second);
+    Edge& edge = edges_[ends];
     if (edge.triangles++ == 0) {
       edge.segment = {a, b};
       edge.normal = normal;

@@ -20,7 +20,8 @@ void write_png(const std::string& path, const Image& image) {
   png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(description);
   std::string encoded(size, '\0');
   if (!png_image_write_to_memory(&description, encoded.data(), &size, 0, image.rgb().data(), 0, nullptr))
-    throw Failure(Exit::unexpected, fmt::format("cannot encode the picture {}: {}", path, description.message));
+    throw Failure(Exit::unexpected,
+                  fmt::format("cannot encode the picture {}: {}", path, description.message));
   encoded.resize(size);
   write_file_safely(path, encoded);
 }

@@ -142,17 +142,20 @@ std::string Progress::details(const ProgressState& state) const {
 std::string Progress::bar(const ProgressState& state) const {
   const std::string head = fmt::format("{} ", state.phase);
   const std::string percent =
-      state.fraction ? fmt::format("{:3.0f} %", std::floor(100.0 * std::clamp(*state.fraction, 0.0, 1.0))) : "";
+      state.fraction ? fmt::format("{:3.0f} %", std::floor(100.0 * std::clamp(*state.fraction, 0.0, 1.0)))
+                     : "";
   const std::string rest = percent + details(state);
   const auto room = static_cast<std::size_t>(std::max(options_.width - 1, 1));
   const std::size_t needed = columns(head) + columns(rest) + 3;  // brackets and a space
   if (!state.fraction || needed + 5 > room) return shortened(head + rest, room);
 
   const std::size_t length = std::min<std::size_t>(longest_bar, room - needed);
-  const auto full = static_cast<std::size_t>(std::clamp(*state.fraction, 0.0, 1.0) * static_cast<double>(length));
+  const auto full =
+      static_cast<std::size_t>(std::clamp(*state.fraction, 0.0, 1.0) * static_cast<double>(length));
   const char* on = options_.colour ? "\x1b[32m" : "";
   const char* off = options_.colour ? "\x1b[0m" : "";
-  return fmt::format("{}[{}{}{}{}] {}", head, on, std::string(full, '#'), off, std::string(length - full, '-'), rest);
+  return fmt::format("{}[{}{}{}{}] {}", head, on, std::string(full, '#'), off,
+                     std::string(length - full, '-'), rest);
 }
 
 std::string duration_text(double seconds) {

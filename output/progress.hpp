@@ -11,11 +11,11 @@ namespace pulvis {
 
 /// Where a run stands.
 struct ProgressState {
-  std::string_view phase;               ///< as named in the case
-  double simulated_time = 0.0;          ///< s
-  std::optional<double> fraction;       ///< done, 0 to 1; none where the end cannot be foreseen
+  std::string_view phase;          ///< as named in the case
+  double simulated_time = 0.0;     ///< s
+  std::optional<double> fraction;  ///< done, 0 to 1; none where the end cannot be foreseen
   std::uint64_t parcels = 0;
-  std::uint64_t particle_steps = 0;     ///< since the start: the sum over steps of the parcels moved
+  std::uint64_t particle_steps = 0;  ///< since the start: the sum over steps of the parcels moved
 };
 
 enum class ProgressStyle {

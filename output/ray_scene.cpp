@@ -11,6 +11,9 @@
 namespace pulvis {
 namespace {
 
+// Embree gives no buffer of length nothing; no hit carries this number.
+constexpr std::uint32_t empty_group = RTC_INVALID_GEOMETRY_ID;
+
 RTCRay to_embree(const Ray& ray) {
   RTCRay result{};
   result.org_x = static_cast<float>(ray.origin.x);
@@ -45,7 +48,8 @@ struct RayScene::Embree {
   RTCGeometry start(RTCGeometryType type) { return ::rtcNewGeometry(device, type); }
 
   template <class Number>
-  Number* buffer(RTCGeometry geometry, RTCBufferType type, RTCFormat format, std::size_t size, std::size_t count) {
+  Number* buffer(RTCGeometry geometry, RTCBufferType type, RTCFormat format, std::size_t size,
+                 std::size_t count) {
     void* data = ::rtcSetNewGeometryBuffer(geometry, type, 0, format, size, count);
     if (data == nullptr) {
       ::rtcReleaseGeometry(geometry);
@@ -80,6 +84,7 @@ RayScene::RayScene(int threads) : embree_(std::make_unique<Embree>()) {
 RayScene::~RayScene() = default;
 
 std::uint32_t RayScene::add_spheres(std::span<const Ball> spheres) {
+  if (spheres.empty()) return empty_group;
   RTCGeometry geometry = embree_->start(RTC_GEOMETRY_TYPE_SPHERE_POINT);
   std::ranges::copy(spheres, embree_->buffer<Ball>(geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT4,
                                                    sizeof(Ball), spheres.size()));
@@ -87,6 +92,7 @@ std::uint32_t RayScene::add_spheres(std::span<const Ball> spheres) {
 }
 
 std::uint32_t RayScene::add_discs(std::span<const Ball> discs, const Vec3& normal) {
+  if (discs.empty()) return empty_group;
   RTCGeometry geometry = embree_->start(RTC_GEOMETRY_TYPE_ORIENTED_DISC_POINT);
   std::ranges::copy(discs, embree_->buffer<Ball>(geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT4,
                                                  sizeof(Ball), discs.size()));
@@ -97,6 +103,7 @@ std::uint32_t RayScene::add_discs(std::span<const Ball> discs, const Vec3& norma
 }
 
 std::uint32_t RayScene::add_triangles(std::span<const Vec3> corners) {
+  if (corners.empty()) return empty_group;
   RTCGeometry geometry = embree_->start(RTC_GEOMETRY_TYPE_TRIANGLE);
   float* points = embree_->buffer<float>(geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3,
                                          3 * sizeof(float), corners.size());
@@ -108,6 +115,7 @@ std::uint32_t RayScene::add_triangles(std::span<const Vec3> corners) {
 }
 
 std::uint32_t RayScene::add_rods(std::span<const std::array<Vec3, 2>> rods, double radius) {
+  if (rods.empty()) return empty_group;
   RTCGeometry geometry = embree_->start(RTC_GEOMETRY_TYPE_ROUND_LINEAR_CURVE);
   float* points = embree_->buffer<float>(geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT4,
                                          4 * sizeof(float), 2 * rods.size());

@@ -27,7 +27,7 @@ struct RayHit {
   Vec3 normal;          ///< of the surface, of length one, to either side
 };
 
-/// Shapes that rays are sent against. Add groups, `commit`, then ask from any thread.
+/// Shapes that rays are sent against. Add groups (which may be empty), `commit`, then ask from any thread.
 class RayScene {
  public:
   explicit RayScene(int threads);

@@ -5,7 +5,6 @@
 #include <atomic>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <thread>
 #include <vector>
 
@@ -14,16 +13,17 @@
 namespace pulvis {
 namespace {
 
-constexpr int samples_per_edge = 3;      // of a pixel: nine smooth the outlines
-constexpr int sky_rays = 6;              // per sample, so 54 per pixel
-constexpr int most_wall_layers = 8;      // seen through one another
-constexpr double eye_distance = 3.0;     // outside the scene, whose radius is one
-constexpr double beyond = 6.0;           // behind the scene for a ray from the eye
-constexpr double sky_reach = 12.0;       // mean radii; voids wider than this are lit by the sky
-constexpr double light_spread = 0.10;    // rad, half angle of the key light: soft edges of shadows
-constexpr double start_gap = 1e-4;       // starts rays off the cut and between layers of walls
-constexpr float glass_cover = 0.13f;     // of a wall in front
-constexpr float rim_shade = 0.45f;       // of a disc's outline
+constexpr int samples_per_edge = 3;    // of a pixel: nine smooth the outlines
+constexpr int sky_rays = 4;            // per sample, so 36 per pixel
+constexpr int most_wall_layers = 8;    // seen through one another
+constexpr double eye_distance = 3.0;   // outside the scene, whose radius is one
+constexpr double beyond = 6.0;         // behind the scene for a ray from the eye
+constexpr double sky_reach = 12.0;     // mean radii; voids wider than this are lit by the sky
+constexpr double through_cut = 0.4;    // of the light that comes in just through the cut: keeps voids dark
+constexpr double light_spread = 0.10;  // rad, half angle of the key light: soft edges of shadows
+constexpr double start_gap = 1e-4;     // starts rays off the cut and between layers of walls
+constexpr float glass_cover = 0.13f;   // of a wall in front
+constexpr float rim_shade = 0.45f;     // of a disc's outline
 constexpr double edge_pixels = 0.6, section_pixels = 1.3;  // half the thickness of lines
 
 // Light is added in linear parts, pictures store sRGB (IEC 61966-2-1).
@@ -31,7 +31,9 @@ struct Light {
   float red = 0.0f, green = 0.0f, blue = 0.0f;
 };
 Light operator*(float s, const Light& a) { return {s * a.red, s * a.green, s * a.blue}; }
-Light operator+(const Light& a, const Light& b) { return {a.red + b.red, a.green + b.green, a.blue + b.blue}; }
+Light operator+(const Light& a, const Light& b) {
+  return {a.red + b.red, a.green + b.green, a.blue + b.blue};
+}
 
 float to_linear(float part) {
   return part <= 0.04045f ? part / 12.92f : std::pow((part + 0.055f) / 1.055f, 2.4f);
@@ -112,7 +114,8 @@ class Renderer {
       const double px = x + (i % samples_per_edge + 0.5) / samples_per_edge - 0.5 * frame.width;
       const double py = y + (i / samples_per_edge + 0.5) / samples_per_edge - 0.5 * frame.height;
       const Vec3 origin = (camera_.centre_right + px * camera_.pixel) * camera_.right +
-                          (camera_.centre_up - py * camera_.pixel) * camera_.up - eye_distance * camera_.forward;
+                          (camera_.centre_up - py * camera_.pixel) * camera_.up -
+                          eye_distance * camera_.forward;
       sum = sum + sample(origin, sequence);
     }
     return stored(1.0f / (samples_per_edge * samples_per_edge) * sum);
@@ -126,14 +129,14 @@ class Renderer {
     if (geometry_.cut) {
       const double slope = dot(camera_.forward, geometry_.cut->normal);
       if (std::abs(slope) > 1e-6)
-        ray.near = std::max(0.0, dot(geometry_.cut->point - origin, geometry_.cut->normal) / slope - start_gap);
+        ray.near =
+            std::max(0.0, dot(geometry_.cut->point - origin, geometry_.cut->normal) / slope - start_gap);
     }
     const auto powder = powder_.nearest(ray);
     const double slack = 4.0 * camera_.pixel;  // a line on a wall must not sink into it
     if (line && (!powder || line->distance < powder->distance + slack))
       return through_glass(ray, line->distance - slack, line->group == edges_ ? edge_colour : section_colour);
-    if (powder)
-      return through_glass(ray, powder->distance, shaded_powder(origin, *powder, sequence));
+    if (powder) return through_glass(ray, powder->distance, shaded_powder(origin, *powder, sequence));
     return walls_alone(ray, sequence);
   }
 
@@ -164,8 +167,9 @@ class Renderer {
     Vec3 normal = last->normal;
     if (dot(normal, ray.direction) > 0.0) normal = -normal;
     const Vec3 place = ray.origin + last->distance * ray.direction + start_gap * normal;
-    const double lit = 0.80 * sky(place, normal, sequence) + 0.24 * std::abs(dot(normal, key_));
-    return through_glass(ray, last->distance - start_gap, static_cast<float>(std::min(lit, 1.0)) * wall_colour);
+    const double lit = 0.35 + 0.45 * sky(place, normal, sequence) + 0.24 * std::abs(dot(normal, key_));
+    return through_glass(ray, last->distance - start_gap,
+                         static_cast<float>(std::min(lit, 1.0)) * wall_colour);
   }
 
   Light shaded_powder(const Vec3& origin, const RayHit& hit, Sequence& sequence) const {
@@ -188,26 +192,33 @@ class Renderer {
     return (to_rim < rim ? rim_shade : 1.0f) * linear(viridis(geometry_.disc_values[index]));
   }
 
-  // Light ends where the cut has taken the powder away.
-  double free_path(const Vec3& start, const Vec3& direction, double reach) const {
-    if (!geometry_.cut) return reach;
-    const double slope = dot(direction, geometry_.cut->normal);
-    if (slope <= 1e-9) return reach;
-    const double distance = dot(geometry_.cut->point - start, geometry_.cut->normal) / slope;
-    return std::clamp(distance - start_gap, 0.0, reach);
+  // How much light arrives from `direction`, 0 to 1. Where the cut has taken the powder away nothing is in
+  // the way; but light that falls through the cut onto what lies close behind it counts for less, since
+  // voids that are as bright as the cut faces cannot be told from them.
+  double arriving(const Vec3& start, const Vec3& direction, double reach) const {
+    double share = 1.0;
+    if (geometry_.cut) {
+      const double slope = dot(direction, geometry_.cut->normal);
+      const double depth = dot(geometry_.cut->point - start, geometry_.cut->normal);
+      if (slope > 1e-9 && depth - start_gap < reach * slope) {
+        reach = std::max(0.0, depth / slope - start_gap);
+        if (reach < void_reach()) share = through_cut;
+      }
+    }
+    return powder_.blocked({start, direction, 0.0, reach}) ? 0.0 : share;
   }
+
+  double void_reach() const { return geometry_.mean_radius > 0.0 ? sky_reach * geometry_.mean_radius : 1.0; }
 
   // The part of the sky that is seen, weighted by its cosine.
   double sky(const Vec3& start, const Vec3& normal, Sequence& sequence) const {
-    const double reach = geometry_.mean_radius > 0.0 ? sky_reach * geometry_.mean_radius : 1.0;
-    int open = 0;
+    double light = 0.0;
     for (int i = 0; i < sky_rays; ++i) {
       double u = 0.0, v = 0.0;
       sequence.next(u, v);
-      const Vec3 direction = about(normal, std::sqrt(u), v);
-      if (!powder_.blocked({start, direction, 0.0, free_path(start, direction, reach)})) ++open;
+      light += arriving(start, about(normal, std::sqrt(u), v), void_reach());
     }
-    return static_cast<double>(open) / sky_rays;
+    return light / sky_rays;
   }
 
   double key_light(const Vec3& start, const Vec3& normal, Sequence& sequence) const {
@@ -215,8 +226,7 @@ class Renderer {
     sequence.next(u, v);
     const Vec3 direction = about(key_, light_spread * std::sqrt(u), v);
     const double facing = dot(normal, direction);
-    if (facing <= 0.0) return 0.0;
-    return powder_.blocked({start, direction, 0.0, free_path(start, direction, beyond)}) ? 0.0 : facing;
+    return facing > 0.0 ? facing * arriving(start, direction, beyond) : 0.0;
   }
 
   const PictureGeometry& geometry_;
@@ -228,14 +238,17 @@ class Renderer {
 
 }  // namespace
 
-void render(Image& image, const Frame& frame, const PictureGeometry& geometry, const Camera& camera, int threads) {
-  const int count = threads > 0 ? threads : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+void render(Image& image, const Frame& frame, const PictureGeometry& geometry, const Camera& camera,
+            int threads) {
+  const int count =
+      threads > 0 ? threads : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   const Renderer renderer(geometry, camera, count);
   // Rows are taken in turn, since those with powder cost most.
   std::atomic<int> next_row = 0;
   const auto work = [&] {
     for (int y = next_row++; y < frame.height; y = next_row++)
-      for (int x = 0; x < frame.width; ++x) image.set(frame.left + x, frame.top + y, renderer.pixel(frame, x, y));
+      for (int x = 0; x < frame.width; ++x)
+        image.set(frame.left + x, frame.top + y, renderer.pixel(frame, x, y));
   };
   std::vector<std::jthread> helpers;
   for (int i = 1; i < count; ++i) helpers.emplace_back(work);

@@ -22,6 +22,7 @@ Camera camera_for(const PictureGeometry& geometry, const Vec3& up, const Frame& 
 
 /// Draws the scene into the frame: one key light with soft shadows, ambient occlusion, discs of the cut
 /// plain. Directions of rays come from a fixed sequence and the pixel, not from threads or time.
-void render(Image& image, const Frame& frame, const PictureGeometry& geometry, const Camera& camera, int threads);
+void render(Image& image, const Frame& frame, const PictureGeometry& geometry, const Camera& camera,
+            int threads);
 
 }  // namespace pulvis

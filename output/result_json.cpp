@@ -23,7 +23,8 @@ std::string place_of_non_finite(const ordered_json& value) {
   for (const auto& entry : value.items()) {
     const auto inner = place_of_non_finite(entry.value());
     if (!inner.empty())
-      return value.is_object() ? fmt::format(".{}{}", entry.key(), inner) : fmt::format("[{}]{}", index, inner);
+      return value.is_object() ? fmt::format(".{}{}", entry.key(), inner)
+                               : fmt::format("[{}]{}", index, inner);
     ++index;
   }
   return {};
@@ -34,10 +35,11 @@ std::string place_of_non_finite(const ordered_json& value) {
 void write_json(const std::string& path, const ordered_json& content) {
   const auto place = place_of_non_finite(content);
   if (!place.empty())
-    throw Failure(Exit::internal_check,
-                  fmt::format("cannot write {}: {} is not a finite number; the measure behind it has no value, "
-                              "please report this with the case file",
-                              path, place.front() == '.' ? place.substr(1) : place));
+    throw Failure(
+        Exit::internal_check,
+        fmt::format("cannot write {}: {} is not a finite number; the measure behind it has no value, "
+                    "please report this with the case file",
+                    path, place.front() == '.' ? place.substr(1) : place));
   // Names from a case file may be broken UTF-8; the numbers matter more than those letters.
   write_file_safely(path, content.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n");
 }

@@ -81,7 +81,8 @@ bool is_used(const fs::path& root) {
 // The holder before us may have removed the lock file between our open and our lock; such a lock guards
 // nothing, since the next process makes a new file.
 bool still_named(int lock, const std::string& path) {
-  struct stat held {}, named {};
+  struct stat held {
+  }, named{};
   return ::fstat(lock, &held) == 0 && ::stat(path.c_str(), &named) == 0 && held.st_ino == named.st_ino &&
          held.st_dev == named.st_dev;
 }
@@ -97,9 +98,10 @@ RunFolder::RunFolder(std::string path, UsedFolder used, std::span<const std::str
     if (used == UsedFolder::replace_results) {
       remove_results(path_, result_files);
     } else if (is_used(path_)) {
-      throw Failure(Exit::usage, fmt::format("the results folder {} is already in use; choose another one, or "
-                                             "give --force to replace the results in it",
-                                             path_));
+      throw Failure(Exit::usage,
+                    fmt::format("the results folder {} is already in use; choose another one, or "
+                                "give --force to replace the results in it",
+                                path_));
     }
   } catch (const fs::filesystem_error& error) {
     unlock();

@@ -36,7 +36,11 @@ std::vector<std::uint32_t> code_points(std::string_view text) {
   std::vector<std::uint32_t> points;
   for (std::size_t i = 0; i < text.size();) {
     const auto lead = static_cast<unsigned char>(text[i]);
-    const std::size_t length = lead < 0x80 ? 1 : lead >> 5 == 0x6 ? 2 : lead >> 4 == 0xE ? 3 : lead >> 3 == 0x1E ? 4 : 0;
+    const std::size_t length = lead < 0x80         ? 1
+                               : lead >> 5 == 0x6  ? 2
+                               : lead >> 4 == 0xE  ? 3
+                               : lead >> 3 == 0x1E ? 4
+                                                   : 0;
     std::uint32_t point = length == 1 ? lead : lead & (0x7Fu >> length);
     bool valid = length > 0 && i + length <= text.size();
     for (std::size_t k = 1; valid && k < length; ++k) {
@@ -79,7 +83,8 @@ Typeface::Typeface() : library_(std::make_unique<Library>()) {
   const std::string file = font_file();
   if (file.empty() || ::FT_Init_FreeType(&library_->library) != 0 ||
       ::FT_New_Face(library_->library, file.c_str(), 0, &library_->face) != 0)
-    throw Failure(Exit::io, "cannot label the picture: no usable font found; install the package fonts-dejavu-core");
+    throw Failure(Exit::io,
+                  "cannot label the picture: no usable font found; install the package fonts-dejavu-core");
 }
 
 Typeface::~Typeface() = default;
@@ -99,7 +104,8 @@ void Typeface::draw(Image& image, double x, double y, std::string_view text, int
     for (unsigned row = 0; row < bitmap.rows; ++row)
       for (unsigned column = 0; column < bitmap.width; ++column)
         image.blend(left + static_cast<int>(column), top + static_cast<int>(row), colour,
-                    static_cast<float>(bitmap.buffer[static_cast<int>(row) * bitmap.pitch + static_cast<int>(column)]) /
+                    static_cast<float>(
+                        bitmap.buffer[static_cast<int>(row) * bitmap.pitch + static_cast<int>(column)]) /
                         255.0f);
   });
 }

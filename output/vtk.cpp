@@ -38,7 +38,8 @@ class VtkFile {
         type);
     close_with_ = fmt::format("</{}>\n", type);
     time_ = fmt::format(
-        "<FieldData>\n<DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" format=\"ascii\">\n{}\n"
+        "<FieldData>\n<DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" "
+        "format=\"ascii\">\n{}\n"
         "</DataArray>\n</FieldData>\n",
         time);
   }
@@ -92,15 +93,16 @@ class VtkFile {
     constexpr bool vectors = std::is_same_v<Number, Vec3>;
     const std::size_t wanted = vectors ? tuples : tuples * static_cast<std::size_t>(field.components);
     if (field.components < 1 || values.size() != wanted)
-      throw std::invalid_argument(fmt::format("field {} has {} values where {} are due", field.name,
-                                              values.size(), wanted));
+      throw std::invalid_argument(
+          fmt::format("field {} has {} values where {} are due", field.name, values.size(), wanted));
     if constexpr (vectors) {
       add_reals(field, 3, 3 * values.size(),
                 [&](std::size_t i) { return values[i / 3][static_cast<int>(i % 3)]; });
     } else if constexpr (std::is_same_v<Number, double>) {
       add_reals(field, field.components, values.size(), [&](std::size_t i) { return values[i]; });
     } else {
-      add_numbers<Number>(field.name, field.components, values.size(), [&](std::size_t i) { return values[i]; });
+      add_numbers<Number>(field.name, field.components, values.size(),
+                          [&](std::size_t i) { return values[i]; });
     }
   }
 
@@ -121,7 +123,8 @@ class VtkFile {
 
 // Cells of `corners` points each, point `corner(i)` for the i-th corner of all.
 template <class Corner>
-void add_cells(VtkFile& file, const char* section, std::size_t cells, std::size_t corners, const Corner& corner) {
+void add_cells(VtkFile& file, const char* section, std::size_t cells, std::size_t corners,
+               const Corner& corner) {
   file.line(fmt::format("<{}>", section));
   file.add_numbers<std::int64_t>("connectivity", 1, cells * corners, corner);
   file.add_numbers<std::int64_t>("offsets", 1, cells,
@@ -136,9 +139,10 @@ void write_points_vtp(const std::string& path, std::span<const Vec3> points, std
   VtkFile file("PolyData", time);
   file.line("<PolyData>");
   file.add_time();
-  file.line(fmt::format("<Piece NumberOfPoints=\"{0}\" NumberOfVerts=\"{0}\" NumberOfLines=\"0\" "
-                        "NumberOfStrips=\"0\" NumberOfPolys=\"0\">",
-                        points.size()));
+  file.line(
+      fmt::format("<Piece NumberOfPoints=\"{0}\" NumberOfVerts=\"{0}\" NumberOfLines=\"0\" "
+                  "NumberOfStrips=\"0\" NumberOfPolys=\"0\">",
+                  points.size()));
   file.add_fields("PointData", fields, points.size());
   file.add_points(points);
   add_cells(file, "Verts", points.size(), 1, [](std::size_t i) { return static_cast<std::int64_t>(i); });
@@ -151,9 +155,10 @@ void write_surface_vtp(const std::string& path, const SurfaceMesh& mesh, std::sp
   VtkFile file("PolyData", time);
   file.line("<PolyData>");
   file.add_time();
-  file.line(fmt::format("<Piece NumberOfPoints=\"{}\" NumberOfVerts=\"0\" NumberOfLines=\"0\" "
-                        "NumberOfStrips=\"0\" NumberOfPolys=\"{}\">",
-                        mesh.points.size(), mesh.triangles.size()));
+  file.line(
+      fmt::format("<Piece NumberOfPoints=\"{}\" NumberOfVerts=\"0\" NumberOfLines=\"0\" "
+                  "NumberOfStrips=\"0\" NumberOfPolys=\"{}\">",
+                  mesh.points.size(), mesh.triangles.size()));
   file.add_fields("CellData", fields, mesh.triangles.size());
   file.add_points(mesh.points);
   add_cells(file, "Polys", mesh.triangles.size(), 3,

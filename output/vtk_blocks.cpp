@@ -22,8 +22,9 @@ void append_compressed(std::string& blocks, std::span<const std::byte> block) {
   uLongf length = ::compressBound(static_cast<uLong>(block.size()));
   const std::size_t start = blocks.size();
   blocks.resize(start + length);
-  const int result = ::compress2(reinterpret_cast<Bytef*>(blocks.data() + start), &length,
-                                 reinterpret_cast<const Bytef*>(block.data()), static_cast<uLong>(block.size()), level);
+  const int result =
+      ::compress2(reinterpret_cast<Bytef*>(blocks.data() + start), &length,
+                  reinterpret_cast<const Bytef*>(block.data()), static_cast<uLong>(block.size()), level);
   if (result != Z_OK) throw std::bad_alloc();  // the buffer is large enough, so memory is all that can fail
   blocks.resize(start + length);
 }

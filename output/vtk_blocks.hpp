@@ -12,7 +12,8 @@ namespace pulvis {
 /// compressed bytes of each block, then the blocks.
 /// The `size` bytes come block by block from `read(offset, block)`, so that no second copy of a large array
 /// is needed. `block_size` must be a multiple of the element size.
-std::string encode_vtk_blocks(std::size_t size, std::size_t block_size,
-                              const std::function<void(std::size_t offset, std::span<std::byte> block)>& read);
+std::string encode_vtk_blocks(
+    std::size_t size, std::size_t block_size,
+    const std::function<void(std::size_t offset, std::span<std::byte> block)>& read);
 
 }  // namespace pulvis

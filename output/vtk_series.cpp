@@ -57,8 +57,9 @@ VtkSeries VtkSeries::continued(std::string path, double time) {
     if (frame->time < time) series.frames_.push_back(std::move(*frame));
   }
   if (last != last_line)
-    throw Failure(Exit::bad_input,
-                  fmt::format("{} is not a complete time series of frames; remove it to go on without", series.path_));
+    throw Failure(
+        Exit::bad_input,
+        fmt::format("{} is not a complete time series of frames; remove it to go on without", series.path_));
   return series;
 }
 
@@ -74,7 +75,8 @@ void VtkSeries::write() const {
       "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
       "<Collection>\n";
   for (const Frame& frame : frames_)
-    xml += fmt::format("<DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>\n", frame.time, xml_escape(frame.file));
+    xml += fmt::format("<DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>\n", frame.time,
+                       xml_escape(frame.file));
   xml += fmt::format("</Collection>\n{}\n", last_line);
   write_file_safely(path_, xml);
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "case/units.hpp"
 #include "engine/base/failure.hpp"
@@ -108,7 +109,31 @@ void check_region(const Case& c, const Source& source, const SizeSampler& sizes)
                         parcels * densest_random_pack / solid));
 }
 
-SourceModel source_model(const Case& c, const Source& source, const Model& model) {
+/// The parcels of each source that is a bed in a file.
+std::vector<std::vector<Parcel>> read_beds(const Case& c, const Box& domain) {
+  std::vector<std::vector<Parcel>> beds(c.sources.size());
+  for (std::size_t k = 0; k < c.sources.size(); ++k) {
+    const Source& source = c.sources[k];
+    if (source.kind != Source::Kind::file) continue;
+    beds[k] = read_bed(source.path, c.materials[c.powders[source.powder].material].density,
+                       static_cast<std::uint32_t>(species_of_powder(source.powder)), domain);
+  }
+  return beds;
+}
+
+/// Radius of the smallest parcel of each powder, m, by species: a bed may have smaller ones than the case says,
+/// and the time step must hold for them too.
+std::vector<double> smallest_radii(const Case& c, const std::vector<Species>& species,
+                                   const std::vector<std::vector<Parcel>>& beds) {
+  std::vector<double> smallest(species.size(), 0.0);
+  for (std::size_t k = 0; k < c.powders.size(); ++k)
+    smallest[species_of_powder(k)] = 0.5 * SizeSampler(parcel_sizes(c.powders[k])).smallest();
+  for (const auto& bed : beds)
+    for (const Parcel& p : bed) smallest[p.species] = std::min(smallest[p.species], p.radius);
+  return smallest;
+}
+
+SourceModel source_model(const Case& c, const Source& source, std::vector<Parcel> bed) {
   const Powder& powder = c.powders[source.powder];
   SourceModel m;
   m.name = source.name;
@@ -125,7 +150,7 @@ SourceModel source_model(const Case& c, const Source& source, const Model& model
     case Source::Kind::rain: m.kind = SourceModel::Kind::rain; break;
     case Source::Kind::file:
       m.kind = SourceModel::Kind::list;
-      m.list = read_bed(source.path, m.density, m.species, model.domain);
+      m.list = std::move(bed);
       return m;
   }
   check_region(c, source, *m.sizes);
@@ -149,12 +174,13 @@ Assembly assemble(const Case& c) {
   Assembly a;
   a.species = species_of(c);
   a.pairs = mix_pairs(c, a.species);
-  a.time_step = choose_time_step(c, a.species, a.pairs);
 
   Model& m = a.model;
   m.domain.min = c.domain.min;
   m.domain.max = c.domain.max;
   for (int axis = 0; axis < 3; ++axis) m.domain.periodic[axis] = c.domain.periodic[axis];
+  auto beds = read_beds(c, m.domain);
+  a.time_step = choose_time_step(c, a.species, a.pairs, smallest_radii(c, a.species, beds));
   m.gravity = c.gravity;
   m.dt = a.time_step.step;
   m.seed = c.seed;
@@ -173,8 +199,8 @@ Assembly assemble(const Case& c) {
     m.motions.push_back({motion.amplitude, motion.frequency, motion.phase, motion.direction});
   m.classes = contact_classes(c, a.species, a.pairs);
   add_walls(c, a.species, 2.0 * m.largest_radius, m);
-  for (const Source& source : c.sources) {
-    m.sources.push_back(source_model(c, source, m));
+  for (std::size_t k = 0; k < c.sources.size(); ++k) {
+    m.sources.push_back(source_model(c, c.sources[k], std::move(beds[k])));
     for (const Parcel& p : m.sources.back().list) {
       m.smallest_radius = std::min(m.smallest_radius, p.radius);
       m.largest_radius = std::max(m.largest_radius, p.radius);

@@ -61,26 +61,32 @@ std::string pair_name(const std::vector<Species>& species, const PairProperties&
 
 double characteristic_speed(const Case& c) {
   if (c.time.characteristic_speed) return *c.time.characteristic_speed;
-  double fastest = 0.0;
-  for (const Source& source : c.sources) {
-    const double fall = 2.0 * norm(c.gravity) * fall_height(c, source);
-    fastest = greatest(fastest, root(dot(source.velocity, source.velocity) + fall));
+  double highest = 1e-3;  // a case in which nothing moves still needs a limit
+  for (const Phase& phase : c.phases) {
+    double parcels = 0.0, wall = 0.0;
+    for (const std::size_t s : phase.sources) {
+      const Source& source = c.sources[s];
+      const double fall = 2.0 * norm(c.gravity) * fall_height(c, source);
+      parcels = greatest(parcels, root(dot(source.velocity, source.velocity) + fall));
+    }
+    for (const std::size_t k : phase.motions) {
+      const Motion& m = c.motions[k];
+      wall = greatest(wall, SineMotion{m.amplitude, m.frequency, m.phase, m.direction}.peak_speed());
+    }
+    highest = greatest(highest, parcels + wall);
   }
-  double wall = 0.0;
-  for (const Motion& m : c.motions)
-    wall = greatest(wall, SineMotion{m.amplitude, m.frequency, m.phase, m.direction}.peak_speed());
-  return greatest(fastest + wall, 1e-3);
+  return highest;
 }
 
 TimeStep choose_time_step(const Case& c, const std::vector<Species>& species,
-                          const std::vector<PairProperties>& pairs) {
+                          const std::vector<PairProperties>& pairs, const std::vector<double>& smallest_radius) {
   TimeStep result;
   result.characteristic_speed = characteristic_speed(c);
-  std::vector<double> radius(species.size(), 0.0), mass(species.size(), 0.0);
+  const std::vector<double>& radius = smallest_radius;
+  std::vector<double> mass(species.size(), 0.0);
   for (std::size_t s = 0; s < species.size(); ++s) {
     if (!species[s].is_powder) continue;
     const Material& m = c.materials[species[s].material];
-    radius[s] = 0.5 * SizeSampler(parcel_sizes(c.powders[species[s].powder])).smallest();
     mass[s] = m.density * sphere_volume(radius[s]);
     result.limits.push_back(
         {"rayleigh", species[s].name, laws::rayleigh_time(radius[s], m.density, species[s].modulus, m.poisson_ratio)});

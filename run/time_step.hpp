@@ -22,17 +22,19 @@ struct TimeStep {
   bool given = false;                 ///< the case fixes the step
 };
 
-/// Speed that collisions can reach, m/s: a fall from the highest place where parcels appear to the end of the
-/// domain with their initial velocity, plus the fastest wall. The case can state its own.
+/// Speed that collisions can reach, m/s: over all phases, the largest sum of the fall of the parcels that appear
+/// in it (from the top of their region to the deepest wall, with their initial velocity) and of its fastest
+/// wall. The case can state its own.
 double characteristic_speed(const Case& c);
 
-/// The time step: the case's own, or its fraction of the smallest limit. For the smallest parcels:
+/// The time step: the case's own, or its fraction of the smallest limit. For the smallest parcels, whose radius
+/// (m) is given for each species that is a powder:
 ///   rayleigh             laws::rayleigh_time                                per powder
 ///   hertz                laws::hertz_contact_time at the characteristic speed   per pair
 ///   cohesive stiffness   sqrt(m*/k), k the JKR stiffness at zero overlap        per adhesive pair
 ///   cohesive speed       delta_c/(10 v_s), v_s the sticking speed               per adhesive pair
 /// Throws Failure(bad_case) if a given step exceeds the smallest limit.
 TimeStep choose_time_step(const Case& c, const std::vector<Species>& species,
-                          const std::vector<PairProperties>& pairs);
+                          const std::vector<PairProperties>& pairs, const std::vector<double>& smallest_radius);
 
 }  // namespace pulvis

@@ -187,9 +187,10 @@ void ContactEvaluator::settle_edges(NearWalls& near, std::uint32_t i, const Parc
 
 void ContactEvaluator::walls(NearWalls& near, const Parcels& parcels, std::span<const Surface> surfaces,
                              std::span<const Body> bodies, std::span<const Pose> poses,
-                             const ContactClasses& classes, double dt, std::vector<Crossing>& crossings) {
+                             const ContactClasses& classes, double dt, int threads,
+                             std::vector<Crossing>& crossings) {
   for (auto& s : scratch_) s.crossings.clear();
-  parallel_shares(parcels.size(), threads_, [&](std::size_t from, std::size_t to, int thread) {
+  parallel_shares(parcels.size(), threads, [&](std::size_t from, std::size_t to, int thread) {
     auto& scratch = scratch_[static_cast<std::size_t>(thread)];
     for (auto i = static_cast<std::uint32_t>(from); i < to; ++i) {
       const std::uint32_t begin = near.begin[i], end = near.begin[i + 1];

@@ -49,7 +49,7 @@ StepNotice begin_step(Parcels& parcels, const Box& box, double dt, std::span<Vec
         for (int axis = 0; axis < 3; ++axis)
           if (box.periodic[axis]) wrap(p.position[axis], reference[i][axis], box.min[axis], box.max[axis]);
       const Vec3 since = p.position - reference[i];
-      mine.outside |= !inside(p.position, box);
+      mine.outside |= !inside(p.position, box) || !(dot(p.spin, p.spin) < 1e300);
       mine.too_fast |= dot(move, move) > 0.25 * (p.radius * p.radius);
       mine.stale |= dot(since, since) > margin[i] * margin[i];
     }

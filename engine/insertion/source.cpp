@@ -153,6 +153,19 @@ std::vector<Parcel> draw_rain(const SourceModel& m, SourceState& state, std::uin
   return placed;
 }
 
+/// A region must have room for the largest parcel, whole.
+void require_room(const SourceModel& m) {
+  const Region& r = m.region;
+  const Vec3 e = r.max - r.min;
+  const double room =
+      r.shape == Region::Shape::box ? least(least(e.x, e.y), e.z) : least(2.0 * r.radius, r.height);
+  const double largest = m.sizes->largest();
+  if (largest > room * (1.0 + 1e-12))
+    throw Failure(Exit::bad_case, fmt::format("source {}: its region is {:.4g} m wide where it is narrowest, less "
+                                              "than the largest parcel, {:.4g} m\n  enlarge the region",
+                                              m.name, room, largest));
+}
+
 }  // namespace
 
 std::uint64_t rain_interval(const SourceModel& m, double dt) {
@@ -165,6 +178,7 @@ std::uint64_t rain_interval(const SourceModel& m, double dt) {
 std::vector<Parcel> draw_parcels(const SourceModel& model, SourceState& state, std::uint64_t seed,
                                  std::uint32_t stream, std::uint64_t step, double dt, const Parcels& present,
                                  const Box& domain) {
+  if (model.kind != SourceModel::Kind::list) require_room(model);
   switch (model.kind) {
     case SourceModel::Kind::pack: return draw_pack(model, state, seed, stream, present, domain);
     case SourceModel::Kind::rain: return draw_rain(model, state, seed, stream, step, dt, present, domain);

@@ -39,7 +39,7 @@ struct SourceState {
 
 /// Parcels a source gives at this step, none if none is due. `state` is updated. Positions, sizes and
 /// attempts are drawn from counters (seed, source, number of the parcel), never from the order of threads.
-/// Throws Failure(physics) if a pack does not fit, saying how full the region is.
+/// Throws Failure(bad_case) if a pack does not fit, saying how full the region is, or if a parcel is wider than it.
 std::vector<Parcel> draw_parcels(const SourceModel& model, SourceState& state, std::uint64_t seed,
                                  std::uint32_t stream, std::uint64_t step, double dt, const Parcels& present,
                                  const Box& domain);

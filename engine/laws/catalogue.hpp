@@ -70,7 +70,7 @@ struct LawEntry {
 /// All laws; the index is the one the kernels use.
 const std::vector<LawEntry>& catalogue();
 
-/// Index of the law with these parts. Throws Failure(bad_case) naming the parts that exist.
+/// Index of the law with these parts. Throws std::invalid_argument if there is none.
 std::size_t find_law(std::string_view normal, std::string_view damping, std::string_view sliding,
                      std::string_view rolling);
 

@@ -80,25 +80,24 @@ void Simulation::open_source(std::size_t source) {
 void Simulation::close_source(std::size_t source) { state_.sources[source].open = false; }
 
 void Simulation::insert_due_parcels() {
-  std::vector<Parcel> fresh;
+  const std::size_t before = state_.parcels.size();
   for (std::size_t k = 0; k < model_.sources.size(); ++k) {
     SourceState& source = state_.sources[k];
     if (!source.open || source.done) continue;
-    auto drawn = draw_parcels(model_.sources[k], source, model_.seed, static_cast<std::uint32_t>(k), state_.step,
-                              model_.dt, state_.parcels, model_.domain);
-    fresh.insert(fresh.end(), drawn.begin(), drawn.end());
+    // Each source sees what the ones before it gave in this step.
+    for (Parcel& p : draw_parcels(model_.sources[k], source, model_.seed, static_cast<std::uint32_t>(k), state_.step,
+                                  model_.dt, state_.parcels, model_.domain)) {
+      p.id = state_.next_id++;
+      state_.parcels.body.push_back(p);
+      state_.parcels.load.push_back({p.mass * model_.gravity, {}});
+      ++state_.ledger.inserted;
+      state_.ledger.inserted_mass += p.mass;
+    }
   }
-  if (fresh.empty()) return;
+  if (state_.parcels.size() == before) return;
   const TouchingList old_pairs = pairs_.pack(state_.parcels, threads()), old_walls = walls_.pack();
-  auto old_index = same_order(state_.parcels.size());
-  for (Parcel& p : fresh) {
-    p.id = state_.next_id++;
-    state_.parcels.body.push_back(p);
-    state_.parcels.load.push_back({p.mass * model_.gravity, {}});
-    old_index.push_back(NearPairs::no_parcel);
-    ++state_.ledger.inserted;
-    state_.ledger.inserted_mass += p.mass;
-  }
+  auto old_index = same_order(before);
+  old_index.resize(state_.parcels.size(), NearPairs::no_parcel);
   rebuild(old_pairs, old_walls, std::move(old_index));
 }
 
@@ -138,8 +137,9 @@ void Simulation::take_out_escaped(const StepNotice& notice) {
   for (std::size_t i = 0; i < state_.parcels.size(); ++i) {
     const Parcel& p = state_.parcels.body[i];
     const Vec3 &x = p.position, &low = model_.domain.min, &high = model_.domain.max;
-    if (!(std::isfinite(dot(x, x)) && std::isfinite(dot(p.velocity, p.velocity))))
-      fail_at("position or velocity is not a finite number",
+    if (!(std::isfinite(dot(x, x)) && std::isfinite(dot(p.velocity, p.velocity)) &&
+          std::isfinite(dot(p.spin, p.spin))))
+      fail_at("position, velocity or spin is not a finite number",
               "the time step may be too large (lower time.fraction) or a material constant out of range", p);
     if (notice.too_fast && dot(p.velocity, p.velocity) * square(model_.dt) > square(0.5 * p.radius))
       fail_at("a parcel moved more than half its radius in one time step",
@@ -192,9 +192,9 @@ void Simulation::remove(std::vector<std::uint32_t>& indices) {
   state_.parcels = std::move(kept);
   const NearPairs pairs_before = pairs_;
   const NearWalls walls_before = walls_;
-  rebuild(old_pairs, old_walls, old_index);
-  pairs_.take_over_loads(pairs_before, old_index);
-  walls_.take_over_loads(walls_before, old_index);
+  const auto stood_at = rebuild(old_pairs, old_walls, std::move(old_index));
+  pairs_.take_over_loads(pairs_before, stood_at);
+  walls_.take_over_loads(walls_before, stood_at);
 }
 
 // --- near lists ------------------------------------------------------------------------------------------
@@ -262,8 +262,8 @@ void Simulation::rebuild() {
   rebuild(old_pairs, old_walls, same_order(state_.parcels.size()));
 }
 
-void Simulation::rebuild(const TouchingList& old_pairs, const TouchingList& old_walls,
-                         std::vector<std::uint32_t> old_index) {
+std::vector<std::uint32_t> Simulation::rebuild(const TouchingList& old_pairs, const TouchingList& old_walls,
+                                               std::vector<std::uint32_t> old_index) {
   if (rebuilds_++ % rebuilds_between_sorts == 0) sort_along_space(old_index);
   choose_margins();
   const std::size_t count = state_.parcels.size();
@@ -282,6 +282,7 @@ void Simulation::rebuild(const TouchingList& old_pairs, const TouchingList& old_
     throw Failure(Exit::internal_check,
                   fmt::format("a rebuild of the neighbour lists kept {} of {} contacts at t = {:.6g} s", found,
                               old_pairs.size() + old_walls.size(), time()));
+  return old_index;
 }
 
 // --- what others may ask ---------------------------------------------------------------------------------

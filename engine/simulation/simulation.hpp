@@ -57,8 +57,9 @@ class Simulation {
   [[noreturn]] void fail_at(const char* what, const char* remedy, const Parcel& parcel) const;
 
   /// Rebuilds the near lists and carries the contacts over. `old_index` as in NearPairs::restore.
-  void rebuild(const TouchingList& old_pairs, const TouchingList& old_walls,
-               std::vector<std::uint32_t> old_index);
+  /// Returns where each parcel of the store as it is now stood before.
+  std::vector<std::uint32_t> rebuild(const TouchingList& old_pairs, const TouchingList& old_walls,
+                                     std::vector<std::uint32_t> old_index);
   void rebuild();
   void choose_margins();
   bool a_body_left_its_margin() const;

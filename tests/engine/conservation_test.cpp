@@ -39,14 +39,17 @@ double angular_scale(const Parcels& parcels) {
 
 TEST(Momentum, OfParcelsInAPeriodicBoxIsConserved) {
   for (const char* normal : {"hertz", "jkr"}) {
-    Model m = one_material(rough_and_sticky(), with_normal(normal), {0, 0, 0}, {0.009, 0.009, 0.009}, 1e-5, 0.3e-3, 0.6e-3);
+    Model m = one_material(rough_and_sticky(), with_normal(normal), {0, 0, 0}, {0.009, 0.009, 0.009}, 1e-5,
+                           0.3e-3, 0.6e-3);
     m.gravity = {};
     m.domain.periodic[0] = m.domain.periodic[1] = m.domain.periodic[2] = true;
     std::vector<Parcel> parcels;
     for (std::uint32_t k = 0; k < 200; ++k) {
       pulvis::testing::Draw draw(k, 41);
-      const Vec3 at{(0.75 + 1.5 * (k % 6)) * 1e-3, (0.75 + 1.5 * (k / 6 % 6)) * 1e-3, (0.75 + 1.5 * (k / 36)) * 1e-3};
-      parcels.push_back(parcel(k, at, draw.between(0.3e-3, 0.6e-3), 2500.0, draw.vector(1.0), draw.vector(500.0)));
+      const Vec3 at{(0.75 + 1.5 * (k % 6)) * 1e-3, (0.75 + 1.5 * (k / 6 % 6)) * 1e-3,
+                    (0.75 + 1.5 * (k / 36)) * 1e-3};
+      parcels.push_back(
+          parcel(k, at, draw.between(0.3e-3, 0.6e-3), 2500.0, draw.vector(1.0), draw.vector(500.0)));
     }
     Simulation s(m, state_of(m, parcels), 1);
     const Vec3 start = momentum(s.state().parcels);
@@ -66,12 +69,14 @@ TEST(Momentum, OfParcelsInAPeriodicBoxIsConserved) {
 
 TEST(AngularMomentum, OfParcelsInOpenSpaceIsConserved) {
   for (const char* normal : {"hertz", "jkr"}) {
-    Model m = one_material(rough_and_sticky(), with_normal(normal), {-0.1, -0.1, -0.1}, {0.1, 0.1, 0.1}, 1e-5, 0.3e-3, 0.6e-3);
+    Model m = one_material(rough_and_sticky(), with_normal(normal), {-0.1, -0.1, -0.1}, {0.1, 0.1, 0.1}, 1e-5,
+                           0.3e-3, 0.6e-3);
     m.gravity = {};
     std::vector<Parcel> parcels;
     for (std::uint32_t k = 0; k < 200; ++k) {
       pulvis::testing::Draw draw(k, 42);
-      const Vec3 at{(1.4 * (k % 6) - 3.5) * 1e-3, (1.4 * (k / 6 % 6) - 3.5) * 1e-3, (1.4 * (k / 36) - 3.5) * 1e-3};
+      const Vec3 at{(1.4 * (k % 6) - 3.5) * 1e-3, (1.4 * (k / 6 % 6) - 3.5) * 1e-3,
+                    (1.4 * (k / 36) - 3.5) * 1e-3};
       // Towards the middle, with a swirl.
       const Vec3 velocity = -100.0 * at + cross({0, 0, 60.0}, at) + draw.vector(0.2);
       parcels.push_back(parcel(k, at, draw.between(0.3e-3, 0.6e-3), 2500.0, velocity, draw.vector(500.0)));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The state after many steps must depend on the model and the start only: not on threads, lists, instruction set,
-// order in the store, or on having been saved and loaded.
+// The state after many steps must depend on the model and the start only: not on threads, lists, instruction
+// set, order in the store, or on having been saved and loaded.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -68,19 +68,22 @@ TEST(StateHash, IsTheSameForEveryInstructionSet) {
 }
 
 TEST(StateHash, IsTheSameAfterSavingAndLoadingOnTheWay) {
-  for (const std::uint64_t moment : {std::uint64_t{0}, std::uint64_t{1}, std::uint64_t{1777}, sticky_steps - 1}) {
+  for (const std::uint64_t moment :
+       {std::uint64_t{0}, std::uint64_t{1}, std::uint64_t{1777}, sticky_steps - 1}) {
     Simulation first = sticky_start(1);
     go(first, moment);
     const auto bytes = save_state(first.snapshot());
     Simulation second(sticky_model(0.7), load_state(bytes), 2);
     EXPECT_EQ(state_hash(second.snapshot()), state_hash(first.snapshot()));
-    EXPECT_EQ(hash_after(std::move(second), sticky_steps - moment), plain_hash()) << "saved at step " << moment;
+    EXPECT_EQ(hash_after(std::move(second), sticky_steps - moment), plain_hash())
+        << "saved at step " << moment;
   }
 }
 
 TEST(StateHash, IsTheSameForAnyOrderOfTheStore) {
   auto parcels = sticky_parcels();
-  for (std::size_t k = 0; k < parcels.size(); ++k) std::swap(parcels[k], parcels[(k * 7919) % parcels.size()]);
+  for (std::size_t k = 0; k < parcels.size(); ++k)
+    std::swap(parcels[k], parcels[(k * 7919) % parcels.size()]);
   EXPECT_EQ(hash_after(sticky_start(1, 1.0, parcels)), plain_hash());
   std::sort(parcels.begin(), parcels.end(), [](const Parcel& a, const Parcel& b) { return a.id > b.id; });
   EXPECT_EQ(hash_after(sticky_start(2, 1.0, parcels)), plain_hash());

@@ -33,8 +33,9 @@ void expect_balanced(const State& s) {
 
 TEST(EscapeFromTheDomain, IsCountedWithIdTimePlaceAndSpeed) {
   const Model m = soft_box();
-  Simulation s(m, state_of(m, {parcel(4, {0.0995, 0.05, 0.05}, 1e-3, 2500.0, {5, 0, 0}),
-                               parcel(9, {0.05, 0.05, 0.05}, 1e-3, 2500.0)}),
+  Simulation s(m,
+               state_of(m, {parcel(4, {0.0995, 0.05, 0.05}, 1e-3, 2500.0, {5, 0, 0}),
+                            parcel(9, {0.05, 0.05, 0.05}, 1e-3, 2500.0)}),
                1);
   for (int k = 0; k < 20; ++k) s.step();
   ASSERT_EQ(s.state().escapes.size(), 1u);
@@ -74,8 +75,9 @@ TEST(EscapeThroughAWall, IsCountedWithTheWallsName) {
   box.max = {0.08, 0.08, 0.08};
   for (Surface& surface : box_surfaces("die", box, {})) add_wall(m, surface);
   m.motions.clear();
-  Simulation s(m, state_of(m, {parcel(0, {0.05, 0.05, 0.05}, 1e-3, 2500.0, {0, -10, 0}),
-                               parcel(1, {0.05, 0.06, 0.05}, 1e-3, 2500.0)}),
+  Simulation s(m,
+               state_of(m, {parcel(0, {0.05, 0.05, 0.05}, 1e-3, 2500.0, {0, -10, 0}),
+                            parcel(1, {0.05, 0.06, 0.05}, 1e-3, 2500.0)}),
                1);
   for (int k = 0; k < 1000 && s.state().escapes.empty(); ++k) s.step();
   ASSERT_EQ(s.state().escapes.size(), 1u);
@@ -97,9 +99,10 @@ TEST(EscapeThroughAWall, IsNotClaimedForParcelsThatAreOutsideFromTheStart) {
   box.max = {0.08, 0.08, 0.08};
   for (Surface& surface : box_surfaces("die", box, {})) add_wall(m, surface);
   // One passes by outside, one bounces off the outside, one passes through the plane of a face beside it.
-  Simulation s(m, state_of(m, {parcel(0, {0.018, 0.01, 0.05}, 1e-3, 2500.0, {0, 5, 0}),
-                               parcel(1, {0.01, 0.05, 0.05}, 1e-3, 2500.0, {0.5, 0, 0}),
-                               parcel(2, {0.0185, 0.05, 0.01}, 1e-3, 2500.0, {0, 0, 5})}),
+  Simulation s(m,
+               state_of(m, {parcel(0, {0.018, 0.01, 0.05}, 1e-3, 2500.0, {0, 5, 0}),
+                            parcel(1, {0.01, 0.05, 0.05}, 1e-3, 2500.0, {0.5, 0, 0}),
+                            parcel(2, {0.0185, 0.05, 0.01}, 1e-3, 2500.0, {0, 0, 5})}),
                1);
   for (int k = 0; k < 1500; ++k) s.step();
   EXPECT_EQ(s.state().ledger.escaped, 0u);
@@ -117,8 +120,9 @@ TEST(EscapeThroughAWall, LeavesTheForcesOnOtherWallsAsTheyWere) {
   for (Surface& surface : box_surfaces("plate", plate, {"-x", "+x", "-y", "+y", "+z"})) add_wall(m, surface);
   const double weight = 9.81 * 2500.0 * sphere_volume(2e-3);
   const double rest = laws::hertz_overlap_under(weight, 2e-3, laws::effective_modulus(1e5, 0.3, 1e5, 0.3));
-  Simulation s(m, state_of(m, {parcel(0, {0.03, 0.03, 0.012 - rest}, 2e-3, 2500.0),
-                               parcel(1, {0.07, 0.07, 0.05}, 1e-3, 2500.0, {0, 0, 20})}),
+  Simulation s(m,
+               state_of(m, {parcel(0, {0.03, 0.03, 0.012 - rest}, 2e-3, 2500.0),
+                            parcel(1, {0.07, 0.07, 0.05}, 1e-3, 2500.0, {0, 0, 20})}),
                1);
   s.step();
   const double before = s.force_on_surface(0).z;
@@ -158,7 +162,8 @@ std::string message_of_failure(Simulation& s, int steps) {
 }
 
 TEST(NotANumber, IsNoticedAtOnceAndTheParcelNamed) {
-  const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
+  const double nan = std::numeric_limits<double>::quiet_NaN(),
+               infinity = std::numeric_limits<double>::infinity();
   for (const double bad : {nan, infinity, -infinity})
     for (int what = 0; what < 5; ++what) {
       Simulation s = sticky_start(2);

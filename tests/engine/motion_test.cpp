@@ -16,7 +16,8 @@ TEST(SineMotion, FollowsALongDoubleSine) {
   constexpr long double two_pi = 6.283185307179586476925286766559L;
   for (std::uint64_t k = 0; k < 20000; ++k) {
     pulvis::testing::Draw draw(k, 51);
-    const SineMotion m{draw.decades(1e-6, 1.0), draw.decades(0.1, 1e3), draw.between(-1.0, 1.0), draw.direction()};
+    const SineMotion m{draw.decades(1e-6, 1.0), draw.decades(0.1, 1e3), draw.between(-1.0, 1.0),
+                       draw.direction()};
     const double t = draw.between(0.0, 20.0);
     // The number of cycles is rounded once; the reference starts from the rounded number.
     const long double cycles = m.frequency * t + m.phase;
@@ -30,7 +31,8 @@ TEST(SineMotion, FollowsALongDoubleSine) {
 }
 
 TEST(SineMotion, StartsWhereTheBodyIsAndFromRestAtAQuarterCycleBefore) {
-  for (const double phase : {0.0, -0.25, 0.1, 0.7}) EXPECT_EQ((SineMotion{1e-3, 10.0, phase, {0, 0, 1}}.displacement(0.0)), Vec3{});
+  for (const double phase : {0.0, -0.25, 0.1, 0.7})
+    EXPECT_EQ((SineMotion{1e-3, 10.0, phase, {0, 0, 1}}.displacement(0.0)), Vec3{});
   const SineMotion m{1e-3, 10.0, -0.25, {0, 0, 1}};
   EXPECT_NEAR(m.displacement(1e-6).z / 1e-6, 0.0, 1e-3 * m.peak_speed());
   EXPECT_NEAR(m.displacement(0.05).z, 2e-3, 1e-15);
@@ -38,7 +40,8 @@ TEST(SineMotion, StartsWhereTheBodyIsAndFromRestAtAQuarterCycleBefore) {
 
 TEST(SineMotion, ReachesItsPeakSpeed) {
   const SineMotion m{1e-3, 10.0, 0.0, {1, 0, 0}};
-  EXPECT_NEAR((m.displacement(1e-6).x - m.displacement(-1e-6).x) / 2e-6, m.peak_speed(), 1e-8 * m.peak_speed());
+  EXPECT_NEAR((m.displacement(1e-6).x - m.displacement(-1e-6).x) / 2e-6, m.peak_speed(),
+              1e-8 * m.peak_speed());
 }
 
 TEST(MovingBody, StaysWhereItWasStoppedAndGoesOnFromThere) {
@@ -61,7 +64,8 @@ TEST(MovingBody, StaysWhereItWasStoppedAndGoesOnFromThere) {
   EXPECT_EQ(again.body_displacement(0), there);
   again.start_motion(0);
   again.step();
-  EXPECT_NEAR(again.body_displacement(0).z, there.z + 1e-2 * std::sin(6.283185307179586 * 2.0 * 0.001), 1e-15);
+  EXPECT_NEAR(again.body_displacement(0).z, there.z + 1e-2 * std::sin(6.283185307179586 * 2.0 * 0.001),
+              1e-15);
 }
 
 }  // namespace

@@ -24,9 +24,10 @@ struct Packing {
   double reach = 0.0;
 };
 
-/// Random overlapping spheres of radii 1 : `ratio`, in a box of 3 to 12 of the largest distances at which a pair
-/// counts; along periodic axes down to `smallest_period` of them. Ids are in no order.
-Packing random_packing(std::uint64_t number, const bool (&periodic)[3], std::size_t count, double smallest_period) {
+/// Random overlapping spheres of radii 1 : `ratio`, in a box of 3 to 12 of the largest distances at which a
+/// pair counts; along periodic axes down to `smallest_period` of them. Ids are in no order.
+Packing random_packing(std::uint64_t number, const bool (&periodic)[3], std::size_t count,
+                       double smallest_period) {
   Draw draw(number, 21);
   Packing p;
   const double ratio = draw.between(1.0, 6.0);
@@ -83,10 +84,12 @@ void expect_pairs_of_brute_force(const Packing& p, int threads) {
   const auto& body = p.parcels.body;
   for (std::size_t i = 0; i < body.size(); ++i)
     for (std::size_t j = i + 1; j < body.size(); ++j) {
-      const double far = body[i].radius + body[j].radius + p.margin[i] + p.margin[j] + p.reach, d = shortest(p, i, j);
+      const double far = body[i].radius + body[j].radius + p.margin[i] + p.margin[j] + p.reach,
+                   d = shortest(p, i, j);
       if (std::fabs(d - far) < 1e-9) continue;
       const std::pair key{std::min(body[i].id, body[j].id), std::max(body[i].id, body[j].id)};
-      ASSERT_EQ(found.count(key) == 1, d < far) << "parcels " << i << " and " << j << " at " << d << " of " << far;
+      ASSERT_EQ(found.count(key) == 1, d < far)
+          << "parcels " << i << " and " << j << " at " << d << " of " << far;
     }
   // Each parcel lists its slots by the partner's id.
   std::size_t entries = 0;
@@ -104,19 +107,24 @@ void expect_pairs_of_brute_force(const Packing& p, int threads) {
   ASSERT_EQ(entries, 2 * near.slots());
 }
 
-constexpr bool open_box[3] = {false, false, false}, column[3] = {false, true, false}, all_around[3] = {true, true, true};
+constexpr bool open_box[3] = {false, false, false}, column[3] = {false, true, false},
+               all_around[3] = {true, true, true};
 
 TEST(NearPairs, AreThoseOfBruteForceInAnOpenBox) {
-  for (std::uint64_t k = 0; k < 20; ++k) expect_pairs_of_brute_force(random_packing(k, open_box, 400, 2.0), 1);
+  for (std::uint64_t k = 0; k < 20; ++k)
+    expect_pairs_of_brute_force(random_packing(k, open_box, 400, 2.0), 1);
 }
 TEST(NearPairs, AreThoseOfBruteForceWithOnePeriodicAxis) {
-  for (std::uint64_t k = 0; k < 20; ++k) expect_pairs_of_brute_force(random_packing(100 + k, column, 400, 2.0), 1);
+  for (std::uint64_t k = 0; k < 20; ++k)
+    expect_pairs_of_brute_force(random_packing(100 + k, column, 400, 2.0), 1);
 }
 TEST(NearPairs, AreThoseOfBruteForceWithThreePeriodicAxes) {
-  for (std::uint64_t k = 0; k < 20; ++k) expect_pairs_of_brute_force(random_packing(200 + k, all_around, 400, 2.0), 1);
+  for (std::uint64_t k = 0; k < 20; ++k)
+    expect_pairs_of_brute_force(random_packing(200 + k, all_around, 400, 2.0), 1);
 }
 TEST(NearPairs, AreThoseOfBruteForceInPeriodicBoxesOfOneAndTwoCells) {
-  for (std::uint64_t k = 0; k < 60; ++k) expect_pairs_of_brute_force(random_packing(300 + k, all_around, 60, 0.3), 1);
+  for (std::uint64_t k = 0; k < 60; ++k)
+    expect_pairs_of_brute_force(random_packing(300 + k, all_around, 60, 0.3), 1);
 }
 TEST(NearPairs, AreTheSameForAnyNumberOfThreads) {
   for (std::uint64_t k = 0; k < 5; ++k) {

@@ -87,7 +87,8 @@ void expect_refused(const std::vector<std::byte>& bytes, const std::string& how)
 TEST(SavedState, EveryTruncationIsNoticed) {
   const auto bytes = save_state(small_state());
   for (std::size_t size = 0; size < bytes.size(); ++size)
-    expect_refused({bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(size)}, "cut to " + std::to_string(size));
+    expect_refused({bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(size)},
+                   "cut to " + std::to_string(size));
 }
 
 TEST(SavedState, EveryFlippedBitIsNoticed) {

@@ -53,13 +53,15 @@ inline std::vector<Parcel> sticky_parcels() {
   for (std::uint32_t k = 0; k < 400; ++k) {
     pulvis::testing::Draw draw(k, 31);
     const double radius = draw.between(0.3e-3, 0.5e-3);
-    const Vec3 at{(0.55 + 1.1 * (k % 7)) * 1e-3, (0.55 + 1.1 * (k / 7 % 7)) * 1e-3, (0.8 + 1.05 * (k / 49)) * 1e-3};
+    const Vec3 at{(0.55 + 1.1 * (k % 7)) * 1e-3, (0.55 + 1.1 * (k / 7 % 7)) * 1e-3,
+                  (0.8 + 1.05 * (k / 49)) * 1e-3};
     list.push_back(parcel(k, at, radius, 2500.0, draw.vector(0.1), draw.vector(100.0)));
   }
   return list;
 }
 
-inline Simulation sticky_start(int threads, double skin = 1.0, std::vector<Parcel> parcels = sticky_parcels()) {
+inline Simulation sticky_start(int threads, double skin = 1.0,
+                               std::vector<Parcel> parcels = sticky_parcels()) {
   const Model m = sticky_model(skin);
   Simulation s(m, state_of(m, parcels), threads);
   s.open_source(0);

@@ -15,7 +15,8 @@ using pulvis::testing::Draw;
 
 namespace {
 
-/// Smallest distance from p to the image of [0,1]^2 under `at`: a grid, then ever finer grids around its best point.
+/// Smallest distance from p to the image of [0,1]^2 under `at`: a grid, then ever finer grids around its best
+/// point.
 double searched_distance(const std::function<Vec3(double, double)>& at, const Vec3& p) {
   double u = 0.5, v = 0.5, width = 1.0, best = 1e300;
   for (int round = 0; round < 14; ++round) {
@@ -23,7 +24,8 @@ double searched_distance(const std::function<Vec3(double, double)>& at, const Ve
     constexpr int half = 20;
     for (int i = -half; i <= half; ++i)
       for (int j = -half; j <= half; ++j) {
-        const double a = std::clamp(u + 0.5 * width * i / half, 0.0, 1.0), b = std::clamp(v + 0.5 * width * j / half, 0.0, 1.0);
+        const double a = std::clamp(u + 0.5 * width * i / half, 0.0, 1.0),
+                     b = std::clamp(v + 0.5 * width * j / half, 0.0, 1.0);
         const double d = norm(at(a, b) - p);
         if (d < best) best = d, best_u = a, best_v = b;
       }
@@ -90,10 +92,10 @@ TEST(NearestPoint, OfADisc) {
     s.normal = f.w;
     s.half[0] = draw.between(0.1, 2.0);
     const Vec3 p = s.centre + draw.vector(3.0);
-    // The seam of the angle lies opposite to the point.
-    const double seam = std::atan2(dot(p - s.centre, f.v), dot(p - s.centre, f.u)) + 0.5 * two_pi;
+    // A square of twice the radius, its corners pulled in to the rim.
     expect_nearest(s, p, [&](double a, double b) {
-      return s.centre + (a * s.half[0]) * (std::cos(seam + two_pi * b) * f.u + std::sin(seam + two_pi * b) * f.v);
+      const Vec3 in_square = (2 * a - 1) * f.u + (2 * b - 1) * f.v;
+      return s.centre + (s.half[0] / std::max(1.0, norm(in_square))) * in_square;
     });
     const Vec3 d = p - s.centre;
     EXPECT_EQ(nearest_point(s, p).in_face, norm(d - dot(d, f.w) * f.w) <= s.half[0]);
@@ -112,6 +114,7 @@ TEST(NearestPoint, OfATube) {
     s.half[0] = draw.between(0.2, 2.0);
     s.half[1] = draw.between(0.2, 3.0);
     const Vec3 p = s.centre + draw.vector(4.0);
+    // The seam of the angle lies opposite to the point.
     const double seam = std::atan2(dot(p - s.centre, f.v), dot(p - s.centre, f.u)) + 0.5 * two_pi;
     expect_nearest(s, p, [&](double a, double b) {
       return s.centre + (a * s.half[1]) * f.w +

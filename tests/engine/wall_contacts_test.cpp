@@ -97,7 +97,8 @@ TEST(SphereInACylinder, HasTwoContactsInTheCornerAndOneOnTheRim) {
   EXPECT_EQ(contacts_at(cup, {0.01 - 0.999 * radius, 0, 0.999 * radius}), 2u);
   EXPECT_EQ(contacts_at(cup, {0.003, 0, 0.999 * radius}), 1u);
   EXPECT_EQ(contacts_at(cup, {0, 0.01, 0.02 + 0.999 * radius}), 1u);
-  EXPECT_EQ(contacts_at(cup, {0.0107 * std::sqrt(0.5), 0.0107 * std::sqrt(0.5), -0.0006}), 1u) << "outer edge of the base";
+  EXPECT_EQ(contacts_at(cup, {0.0107 * std::sqrt(0.5), 0.0107 * std::sqrt(0.5), -0.0006}), 1u)
+      << "outer edge of the base";
 }
 
 TEST(SphereAtTwoBodies, TouchesBoth) {
@@ -110,8 +111,8 @@ TEST(SphereAtTwoBodies, TouchesBoth) {
   EXPECT_EQ(touching(s.walls()), 2u);
 }
 
-/// Pushes a sphere across the top of a box and over its edge at a constant height, and calls look(simulation) at
-/// each step. The overlap with the top is `overlap`; from the edge on it shrinks.
+/// Pushes a sphere across the top of a box and over its edge at a constant height, and calls look(simulation)
+/// at each step. The overlap with the top is `overlap`; from the edge on it shrinks.
 template <class Look>
 void push_over_the_edge(const char* normal, double start, double overlap, int from_axis, Look&& look) {
   const Model m = with_surfaces(box_surfaces("box", unit_box(), {}), normal);
@@ -133,7 +134,8 @@ TEST(SphereRollingOverAnEdge, HasOneContactUntilItLeaves) {
       bool touched = true;
       push_over_the_edge("hertz", side * 0.0095, overlap, axis, [&](const Simulation& s) {
         const Vec3 x = s.state().parcels.body[0].position;
-        const double beyond = std::max(std::fabs(x[axis]) - 0.01, 0.0), distance = std::hypot(beyond, x.z - 0.01);
+        const double beyond = std::max(std::fabs(x[axis]) - 0.01, 0.0),
+                     distance = std::hypot(beyond, x.z - 0.01);
         const bool expected = distance < radius;
         EXPECT_EQ(touching(s.walls()), expected ? 1u : 0u) << "at " << x[axis];
         touched = expected;
@@ -186,10 +188,12 @@ TEST(StretchedContact, IsCarriedOverAnEdgeAndBreaksByItsLaw) {
       for (int k = 0; k < 60000; ++k) {
         s.step();
         const Vec3 x = s.state().parcels.body[0].position;
-        const double beyond = std::max(std::fabs(x[axis]) - 0.01, 0.0), distance = std::hypot(beyond, x.z - 0.01);
+        const double beyond = std::max(std::fabs(x[axis]) - 0.01, 0.0),
+                     distance = std::hypot(beyond, x.z - 0.01);
         if (std::fabs(distance - radius - stretch) < 1e-9 * radius) continue;
         const bool expected = distance - radius < stretch;
-        ASSERT_EQ(touching(s.walls()), expected ? 1u : 0u) << "gap " << (distance - radius) / stretch << " delta_c";
+        ASSERT_EQ(touching(s.walls()), expected ? 1u : 0u)
+            << "gap " << (distance - radius) / stretch << " delta_c";
         if (!expected) break;
       }
     }
@@ -200,7 +204,8 @@ TEST(RestingSphere, PressesOnTheSurfaceItLiesOnAlone) {
   // Near the edge of the top the side face is within reach too, but its nearest point belongs to the top.
   const Vec3 near_edge{0.01 - 0.1 * radius, 0, 0.01 + 0.999 * radius}, middle{0, 0, 0.01 + 0.999 * radius};
   EXPECT_EQ(contacts_at(box, near_edge), 1u);
-  EXPECT_NEAR(norm(force_at(box, near_edge) - force_at(box, middle)), 0.0, 1e-9 * norm(force_at(box, middle)));
+  EXPECT_NEAR(norm(force_at(box, near_edge) - force_at(box, middle)), 0.0,
+              1e-9 * norm(force_at(box, middle)));
 }
 
 }  // namespace

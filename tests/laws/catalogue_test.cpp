@@ -76,9 +76,10 @@ TEST(EveryLaw, AgreesWithTheEquationsIn1000RandomStates) {
 struct Rotation {
   Vec3 row[3];
   explicit Rotation(Draw& draw) {
-    const double u = draw.between(0, 1), a = draw.between(0, 6.283185307179586), b = draw.between(0, 6.283185307179586);
-    const double w = std::sqrt(1 - u) * std::sin(a), x = std::sqrt(1 - u) * std::cos(a), y = std::sqrt(u) * std::sin(b),
-                 z = std::sqrt(u) * std::cos(b);
+    const double u = draw.between(0, 1), a = draw.between(0, 6.283185307179586),
+                 b = draw.between(0, 6.283185307179586);
+    const double w = std::sqrt(1 - u) * std::sin(a), x = std::sqrt(1 - u) * std::cos(a),
+                 y = std::sqrt(u) * std::sin(b), z = std::sqrt(u) * std::cos(b);
     row[0] = {1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)};
     row[1] = {2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)};
     row[2] = {2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)};
@@ -142,7 +143,8 @@ TEST(EveryLaw, IsFiniteAtZeroOverlapZeroSlipZeroSpinAndWithoutFrictionDampingOrA
                 const Vec3 n{0, 0, 1};
                 const laws::Touch t{overlap, 1e-3, 1e-6, was, n, n, {speed, 0, speed}, {speed, 0, 0}, 1e-6};
                 const auto r = law.evaluate(t, {}, law.mix(m, {}));
-                expect_finite(r, name_of(law) + " at " + std::to_string(overlap) + " W " + std::to_string(work));
+                expect_finite(r,
+                              name_of(law) + " at " + std::to_string(overlap) + " W " + std::to_string(work));
                 if (r.touching == 0.0) {
                   EXPECT_EQ(r.force, Vec3{});
                   EXPECT_EQ(r.history.roll, Vec3{});
@@ -173,7 +175,8 @@ using kernels::Lanes3;
 std::vector<InstructionSet> sets_of_this_processor() {
   std::vector<InstructionSet> sets{InstructionSet::baseline};
   if (__builtin_cpu_supports("avx2")) sets.push_back(InstructionSet::avx2);
-  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl"))
+  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+      __builtin_cpu_supports("avx512vl"))
     sets.push_back(InstructionSet::avx512);
   return sets;
 }
@@ -197,7 +200,8 @@ std::unique_ptr<ContactBlock> random_block(const laws::LawEntry& law, std::uint6
   const double stretch = law.separation_gap(base.touch.radius, law.mix(material, {}));
   for (int k = 0; k < count; ++k) {
     Draw draw(number * 1000 + static_cast<std::uint64_t>(k), 11);
-    const double r1 = base.touch.radius * draw.between(1.0, 4.0), r2 = base.touch.radius * draw.between(1.0, 4.0);
+    const double r1 = base.touch.radius * draw.between(1.0, 4.0),
+                 r2 = base.touch.radius * draw.between(1.0, 4.0);
     const double overlap = k % 5 == 4 ? -draw.between(0.0, 2.0) * (stretch + 1e-3 * r1)
                                       : draw.between(-0.3, 3.0) * stretch + r1 * draw.decades(1e-8, 1e-2);
     const Vec3 n = draw.direction();
@@ -246,8 +250,15 @@ void expect_kernel_equals_scalar_law(bool walls) {
           const double arm_first = block->arm_first[k], arm_second = block->arm_second[k];
           const Vec3 velocity =
               get(input->velocity, k) + cross(arm_first * spin_first + arm_second * spin_second, half);
-          const laws::Touch touch{block->overlap[k], block->radius[k], block->mass[k], input->touching[k], normal,
-                                  half, velocity, spin_first - spin_second, dt};
+          const laws::Touch touch{block->overlap[k],
+                                  block->radius[k],
+                                  block->mass[k],
+                                  input->touching[k],
+                                  normal,
+                                  half,
+                                  velocity,
+                                  spin_first - spin_second,
+                                  dt};
           const auto r = law.evaluate(touch, {get(input->slide, k), get(input->roll, k)}, constants);
           ASSERT_EQ(block->touching[k], r.touching) << where;
           ASSERT_TRUE(same_bits(get(block->force, k), r.force)) << where;

@@ -64,7 +64,8 @@ TEST(Estimates, HertzImpactsOfChungAndOoi) {
                           Impact{4.0e10, 0.35, 1800, 0.1, 0.2, true, 52.12e-6, 767.1e-6},
                           Impact{3.8e11, 0.23, 4000, 0.0025, 3.9, true, 8.089e-6, 6.105e-6},
                           Impact{1.0e11, 0.25, 7000, 0.0025, 3.9, true, 17.19e-6, 12.97e-6}}) {
-    const double own = i.modulus / (1.0 - i.poisson * i.poisson), sphere = i.density * sphere_factor * std::pow(i.radius, 3);
+    const double own = i.modulus / (1.0 - i.poisson * i.poisson),
+                 sphere = i.density * sphere_factor * std::pow(i.radius, 3);
     const double modulus = i.rigid_wall ? own : 0.5 * own, radius = i.rigid_wall ? i.radius : 0.5 * i.radius,
                  mass = i.rigid_wall ? sphere : 0.5 * sphere;
     EXPECT_NEAR(laws::hertz_largest_overlap(mass, radius, modulus, i.speed) / i.overlap, 1.0, 2e-4);
@@ -88,7 +89,8 @@ TEST(Estimates, JkrPullOffAndStretch) {
   const Molybdenum soft{1e7};
   EXPECT_NEAR(laws::jkr_pull_off(soft.radius(), soft.work), 1.5 * 3.14159265358979 * 2e-4 * 1.15e-6, 1e-22);
   const Quad stretch = jkr_stretch_at_rupture(soft.radius(), soft.effective(), soft.work);
-  EXPECT_NEAR(laws::jkr_stretch(soft.radius(), soft.effective(), soft.work) / static_cast<double>(stretch), 1.0, 1e-14);
+  EXPECT_NEAR(laws::jkr_stretch(soft.radius(), soft.effective(), soft.work) / static_cast<double>(stretch),
+              1.0, 1e-14);
   // 1.8e-12 m for unsoftened molybdenum: below atomic size.
   const Molybdenum real{320e9};
   EXPECT_NEAR(laws::jkr_stretch(real.radius(), real.effective(), real.work), 1.8e-12, 0.1e-12);
@@ -127,16 +129,18 @@ TEST(Estimates, JkrStiffnessAtTouchIsTheSlopeOfTheLaw) {
 }
 
 TEST(Estimates, StickingSpeedsOfMolybdenum) {
-  // Two 4.6 um spheres with W = 2e-4 J/m^2: 3.80e-3 m/s softened to 10 MPa, 1.2e-4 m/s at 320 GPa; in closed form
-  // v_s = 3.766 m*^(-1/2) (W^5 R*^4/E*^2)^(1/6).
+  // Two 4.6 um spheres with W = 2e-4 J/m^2: 3.80e-3 m/s softened to 10 MPa, 1.2e-4 m/s at 320 GPa; in closed
+  // form v_s = 3.766 m*^(-1/2) (W^5 R*^4/E*^2)^(1/6).
   const Molybdenum soft{1e7}, real{320e9};
   const auto speed = [](const Molybdenum& m) {
     return laws::jkr_sticking_speed(m.mass(), m.radius(), m.effective(), m.work);
   };
   EXPECT_NEAR(speed(soft), 3.80e-3, 0.005e-3);
   EXPECT_NEAR(speed(real), 1.2e-4, 0.05e-4);
-  const double closed = 3.766 / std::sqrt(soft.mass()) *
-                        std::pow(std::pow(soft.work, 5) * std::pow(soft.radius(), 4) / std::pow(soft.effective(), 2), 1.0 / 6.0);
+  const double closed =
+      3.766 / std::sqrt(soft.mass()) *
+      std::pow(std::pow(soft.work, 5) * std::pow(soft.radius(), 4) / std::pow(soft.effective(), 2),
+               1.0 / 6.0);
   EXPECT_NEAR(speed(soft) / closed, 1.0, 1e-4);
 }
 

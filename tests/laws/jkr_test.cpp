@@ -55,11 +55,11 @@ struct Row {
   double overlap, radius, force;
 };
 const Row table[] = {
-    {-1, 0.302853, -0.555556},    {-0.99, 0.346160, -0.648741}, {-0.9, 0.442553, -0.830926},
-    {-0.75, 0.526774, -0.944614}, {-0.5, 0.623598, -0.999772},  {-0.25, 0.698984, -0.971515},
-    {0, 0.763143, -0.888889},     {0.25, 0.820065, -0.764523},  {0.5, 0.871810, -0.605578},
+    {-1, 0.302853, -0.555556},    {-0.99, 0.346160, -0.648741},  {-0.9, 0.442553, -0.830926},
+    {-0.75, 0.526774, -0.944614}, {-0.5, 0.623598, -0.999772},   {-0.25, 0.698984, -0.971515},
+    {0, 0.763143, -0.888889},     {0.25, 0.820065, -0.764523},   {0.5, 0.871810, -0.605578},
     {1, 0.964265, -0.201195},     {1.2114, 0.999998, -0.000014}, {2, 1.120755, 0.885107},
-    {3, 1.253780, 2.268041},      {5, 1.478673, 5.740016},      {10, 1.916932, 17.559825},
+    {3, 1.253780, 2.268041},      {5, 1.478673, 5.740016},       {10, 1.916932, 17.559825},
     {100, 5.391102, 576.677563}};
 
 Quad table_radius(double overlap) {
@@ -76,7 +76,8 @@ TEST(JkrTable, PrintedValuesAgreeWithTheRecomputedOnes) {
   for (const Row& row : table) {
     const Quad x = table_radius(row.overlap);
     EXPECT_NEAR(static_cast<double>(x), row.radius, 1e-6);
-    EXPECT_NEAR(static_cast<double>(4 * x * x * x - 4 * x * quad_root(x)), row.force, 1e-6 * std::fabs(row.force) + 1e-6);
+    EXPECT_NEAR(static_cast<double>(4 * x * x * x - 4 * x * quad_root(x)), row.force,
+                1e-6 * std::fabs(row.force) + 1e-6);
   }
 }
 
@@ -94,10 +95,11 @@ TEST(JkrTable, LawAgreesAtSixteenOverlaps) {
       const double overlap = row.overlap == -1 ? -plain_jkr().separation_gap(c.radius, constants)
                                                : static_cast<double>(row.overlap * stretch);
       const laws::Normal ours = plain_jkr().normal_force(overlap, c.radius, constants);
-      const double radius_error = static_cast<double>(quad_magnitude(ours.contact_radius / (x * zero_force_radius) - 1));
+      const double radius_error =
+          static_cast<double>(quad_magnitude(ours.contact_radius / (x * zero_force_radius) - 1));
       const Quad pressed = 4 * x * x * x, pulled = 4 * x * quad_root(x);
-      const double force_error =
-          static_cast<double>(quad_magnitude(ours.elastic / pull_off - (pressed - pulled)) / (pressed + pulled));
+      const double force_error = static_cast<double>(
+          quad_magnitude(ours.elastic / pull_off - (pressed - pulled)) / (pressed + pulled));
       EXPECT_LT(radius_error, row.overlap == -1 ? 1e-7 : 1e-9) << c.name << " at " << row.overlap;
       EXPECT_LT(force_error, 1e-9) << c.name << " at " << row.overlap;
       worst_radius = std::max(worst_radius, radius_error);
@@ -112,7 +114,8 @@ TEST(JkrTable, ContactRadiusAtARoundedRuptureStretchIsRightToSevenDigits) {
   for (const Contact& c : contacts) {
     const auto constants = plain_jkr().mix(material(c), {});
     const double overlap = -static_cast<double>(jkr_stretch_at_rupture(c.radius, c.modulus, c.work));
-    const Quad rupture = quad_cube_root(quad_pi() * c.work * c.radius * c.radius / (8 * static_cast<Quad>(c.modulus)));
+    const Quad rupture =
+        quad_cube_root(quad_pi() * c.work * c.radius * c.radius / (8 * static_cast<Quad>(c.modulus)));
     const double ours = plain_jkr().normal_force(overlap, c.radius, constants).contact_radius;
     EXPECT_NEAR(ours / static_cast<double>(rupture), 1.0, 1e-7) << c.name;
   }
@@ -164,7 +167,8 @@ TEST(JkrMemory, ContactHoldsToTheRuptureStretchAndBreaksWithFiveNinthsOfThePullO
     const Answer after = ask(c, -(1.0 + 1e-14) * stretch, true);
     EXPECT_FALSE(after.touching) << c.name;
     EXPECT_EQ(after.force, 0.0) << c.name;
-    EXPECT_FALSE(ask(c, -0.5 * stretch, after.touching).touching) << "a broken contact does not heal at a gap";
+    EXPECT_FALSE(ask(c, -0.5 * stretch, after.touching).touching)
+        << "a broken contact does not heal at a gap";
   }
 }
 
@@ -190,8 +194,8 @@ TEST(JkrEnergy, WorkOfSeparationIsTheAreaUnderTheStretchedBranch) {
     double sum = 0.0;
     for (int k = 0; k <= panels; ++k) {
       const double u = static_cast<double>(k) / panels;
-      const double value =
-          -plain_jkr().normal_force(-stretch * (1.0 - u * u), c.radius, constants).elastic * 2.0 * u * stretch;
+      const double value = -plain_jkr().normal_force(-stretch * (1.0 - u * u), c.radius, constants).elastic *
+                           2.0 * u * stretch;
       sum += value * (k == 0 || k == panels ? 1.0 : k % 2 ? 4.0 : 2.0);
     }
     const double work = sum / (3.0 * panels);
@@ -203,8 +207,10 @@ TEST(JkrEnergy, WorkOfSeparationIsTheAreaUnderTheStretchedBranch) {
 
 TEST(JkrWithoutAdhesion, IsHertz) {
   // A wall that powder does not stick to has the same law with W = 0.
-  const auto& hertz = laws::catalogue()[laws::find_law("hertz", "restitution", "total_spring", "elastic_plastic")];
-  const auto& jkr = laws::catalogue()[laws::find_law("jkr", "restitution", "total_spring", "elastic_plastic")];
+  const auto& hertz =
+      laws::catalogue()[laws::find_law("hertz", "restitution", "total_spring", "elastic_plastic")];
+  const auto& jkr =
+      laws::catalogue()[laws::find_law("jkr", "restitution", "total_spring", "elastic_plastic")];
   for (std::uint64_t k = 0; k < 200; ++k) {
     RandomState s = random_state("hertz", k);
     s.material.work_of_adhesion = 0.0;

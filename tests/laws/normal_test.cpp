@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Normal forces and dashpots against the equations in 113 bits: within 1e-12 of the sum of their terms, within
-// 1e-10 where a root is solved.
+// Normal forces and dashpots against the equations in 113 bits: within 1e-12 of the sum of their terms,
+// within 1e-10 where a root is solved.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,7 +16,9 @@ namespace {
 
 constexpr std::uint64_t states = 1000;
 
-void record(const char* name, double value) { ::testing::Test::RecordProperty(name, std::to_string(value * 1e15) + "e-15"); }
+void record(const char* name, double value) {
+  ::testing::Test::RecordProperty(name, std::to_string(value * 1e15) + "e-15");
+}
 
 struct Worst {
   double force = 0.0, contact_radius = 0.0, hertz_radius = 0.0, limit_shift = 0.0;
@@ -34,10 +36,11 @@ Worst worst_errors(const char* law) {
     const ReferenceNormal truth = reference_normal(law, overlap, radius, s.material);
     const laws::Normal ours = entry.normal_force(overlap, radius, constants);
     worst.force = std::max(worst.force, relative(apart(ours.elastic, truth.force), truth.terms));
-    worst.contact_radius = std::max(
-        worst.contact_radius, relative(apart(ours.contact_radius, truth.contact_radius), truth.contact_radius));
-    worst.hertz_radius =
-        std::max(worst.hertz_radius, relative(apart(ours.hertz_radius, truth.hertz_radius), truth.hertz_radius));
+    worst.contact_radius =
+        std::max(worst.contact_radius,
+                 relative(apart(ours.contact_radius, truth.contact_radius), truth.contact_radius));
+    worst.hertz_radius = std::max(worst.hertz_radius,
+                                  relative(apart(ours.hertz_radius, truth.hertz_radius), truth.hertz_radius));
     worst.limit_shift =
         std::max(worst.limit_shift, relative(apart(ours.limit_shift, truth.limit_shift), truth.limit_shift));
   }
@@ -75,7 +78,8 @@ TEST(HertzNormalForce, IsZeroWithoutOverlapAndAtAGap) {
 
 TEST(HertzNormalForce, ReachesThePublishedPeaksOfChungAndOoi) {
   // Largest force of elastic impacts, tests 1 and 2 of C.-Y. Chung, J. Y. Ooi, Granul. Matter 13 (2011) 643:
-  // 10697 N (glass), 7108 N (limestone), 11370 N (aluminium alloy on a rigid plane), 7233 N (magnesium alloy).
+  // 10697 N (glass), 7108 N (limestone), 11370 N (aluminium alloy on a rigid plane), 7233 N (magnesium
+  // alloy).
   struct Impact {
     double modulus, poisson, density, radius, speed;
     bool rigid_wall;
@@ -86,11 +90,12 @@ TEST(HertzNormalForce, ReachesThePublishedPeaksOfChungAndOoi) {
                           Impact{2.0e10, 0.25, 2500, 0.01, 20.0, false, 7108.24},
                           Impact{7.0e10, 0.30, 2699, 0.1, 0.2, true, 11369.9},
                           Impact{4.0e10, 0.35, 1800, 0.1, 0.2, true, 7232.7}}) {
-    const double own = i.modulus / (1.0 - i.poisson * i.poisson), sphere = i.density * 4.1887902047863909 *
-                                                                           i.radius * i.radius * i.radius;
+    const double own = i.modulus / (1.0 - i.poisson * i.poisson),
+                 sphere = i.density * 4.1887902047863909 * i.radius * i.radius * i.radius;
     laws::MaterialPair m;
     m.effective_modulus = i.rigid_wall ? own : 0.5 * own;
-    const double radius = i.rigid_wall ? i.radius : 0.5 * i.radius, mass = i.rigid_wall ? sphere : 0.5 * sphere;
+    const double radius = i.rigid_wall ? i.radius : 0.5 * i.radius,
+                 mass = i.rigid_wall ? sphere : 0.5 * sphere;
     const double overlap = laws::hertz_largest_overlap(mass, radius, m.effective_modulus, i.speed);
     EXPECT_NEAR(entry.normal_force(overlap, radius, entry.mix(m, {})).elastic, i.force, 1e-5 * i.force);
   }
@@ -105,13 +110,14 @@ TEST(Dashpot, CoefficientsAgreeWithTheEquationsIn1000RandomStates) {
       choices.damping_on_jkr_radius = on_contact_radius;
       const laws::Normal normal{0.0, 0.7 * s.touch.radius, 0.3 * s.touch.radius, 0.0};
       const double radius = on_contact_radius ? normal.contact_radius : normal.hertz_radius;
-      const auto c = laws::damping::Restitution::coefficients(normal, s.touch.mass,
-                                                              laws::damping::Restitution::mix(s.material, choices));
+      const auto c = laws::damping::Restitution::coefficients(
+          normal, s.touch.mass, laws::damping::Restitution::mix(s.material, choices));
       const Quad modulus = s.material.effective_modulus, shear = s.material.effective_shear_modulus;
       const Quad c_normal = reference_dashpot(2 * modulus * radius, s.touch.mass, s.material.restitution);
       const Quad c_tangential = reference_dashpot(8 * shear * radius, s.touch.mass, s.material.restitution);
       worst = std::max(worst, relative(static_cast<double>(quad_magnitude(c.normal - c_normal)), c_normal));
-      worst = std::max(worst, relative(static_cast<double>(quad_magnitude(c.tangential - c_tangential)), c_tangential));
+      worst = std::max(
+          worst, relative(static_cast<double>(quad_magnitude(c.tangential - c_tangential)), c_tangential));
     }
   record("coefficient", worst);
   EXPECT_LT(worst, 1e-12);

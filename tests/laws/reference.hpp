@@ -79,8 +79,9 @@ struct ReferenceResponse {
   bool on_the_edge = false;  ///< so near a limit that rounding decides which side it is on
 };
 
-inline ReferenceResponse reference_response(const laws::LawEntry& law, const laws::Touch& t, const laws::History& old,
-                                            const laws::MaterialPair& m, const laws::Choices& choices) {
+inline ReferenceResponse reference_response(const laws::LawEntry& law, const laws::Touch& t,
+                                            const laws::History& old, const laws::MaterialPair& m,
+                                            const laws::Choices& choices) {
   const Quad overlap = t.overlap, radius = t.radius, mass = t.mass, dt = t.dt;
   const QuadVec normal = quad(t.normal), half = quad(t.half_normal);
   ReferenceResponse r;
@@ -94,8 +95,10 @@ inline ReferenceResponse reference_response(const laws::LawEntry& law, const law
   const Quad dashpot_radius = choices.damping_on_jkr_radius ? n.contact_radius : n.hertz_radius;
   const bool damped = law.damping == "restitution";
   const Quad shear = 8 * static_cast<Quad>(m.effective_shear_modulus);
-  const Quad c_normal =
-      damped ? reference_dashpot(2 * static_cast<Quad>(m.effective_modulus) * dashpot_radius, mass, m.restitution) : 0;
+  const Quad c_normal = damped
+                            ? reference_dashpot(2 * static_cast<Quad>(m.effective_modulus) * dashpot_radius,
+                                                mass, m.restitution)
+                            : 0;
   const Quad c_tangential = damped ? reference_dashpot(shear * dashpot_radius, mass, m.restitution) : 0;
 
   const QuadVec velocity = quad(t.velocity);
@@ -108,8 +111,7 @@ inline ReferenceResponse reference_response(const laws::LawEntry& law, const law
 
   if (law.sliding == "total_spring") {
     const Quad stiffness = shear * n.contact_radius;
-    const QuadVec spring =
-        reference_in_plane(reference_in_plane(quad(old.slide), half) + dt * slip, normal);
+    const QuadVec spring = reference_in_plane(reference_in_plane(quad(old.slide), half) + dt * slip, normal);
     const Quad spring_terms = norm(quad(old.slide)) + dt * norm(velocity);
     const Quad length = norm(spring), limit = static_cast<Quad>(m.friction) * limiting;
     r.on_the_edge |= quad_magnitude(stiffness * length - limit) < 1e-9 * (stiffness * spring_terms + limit);
@@ -129,13 +131,14 @@ inline ReferenceResponse reference_response(const laws::LawEntry& law, const law
   if (law.rolling == "elastic_plastic") {
     const Quad stiffness = shear * n.contact_radius * radius * radius;
     const QuadVec spin = reference_in_plane(quad(t.spin), half);
-    const QuadVec torque = reference_in_plane(
-        reference_in_plane(quad(old.roll), half) - (stiffness * dt) * spin, normal);
+    const QuadVec torque =
+        reference_in_plane(reference_in_plane(quad(old.roll), half) - (stiffness * dt) * spin, normal);
     const Quad terms = norm(quad(old.roll)) + stiffness * dt * norm(quad(t.spin));
     const Quad size = norm(torque), limit = static_cast<Quad>(m.rolling_friction) * radius * limiting;
     r.roll_torque = size > limit ? (limit / size) * torque : torque;
-    r.torque_terms = size > limit ? static_cast<Quad>(m.rolling_friction) * radius * limiting_terms + limit * terms / size
-                                  : terms;
+    r.torque_terms =
+        size > limit ? static_cast<Quad>(m.rolling_friction) * radius * limiting_terms + limit * terms / size
+                     : terms;
     r.roll = r.roll_torque;
   }
   const Quad normal_force = n.force + dashpot;
@@ -182,7 +185,9 @@ inline RandomState random_state(std::string_view normal_law, std::uint64_t numbe
   const double depth = std::fabs(t.overlap) + stretch;
   s.history.slide = draw.chance(0.1) ? Vec3{} : draw.vector(depth * draw.decades(1e-3, 3.0));
   s.history.roll =
-      draw.chance(0.1) ? Vec3{} : draw.vector(m.effective_modulus * t.radius * t.radius * depth * draw.decades(1e-4, 1.0));
+      draw.chance(0.1)
+          ? Vec3{}
+          : draw.vector(m.effective_modulus * t.radius * t.radius * depth * draw.decades(1e-4, 1.0));
   return s;
 }
 

@@ -27,8 +27,12 @@ double worst_error(const char* normal) {
   return worst;
 }
 
-TEST(ElasticPlasticRolling, AgreesWithTheEquationsIn1000RandomHertzStates) { EXPECT_LT(worst_error("hertz"), 1e-12); }
-TEST(ElasticPlasticRolling, AgreesWithTheEquationsIn1000RandomJkrStates) { EXPECT_LT(worst_error("jkr"), 1e-10); }
+TEST(ElasticPlasticRolling, AgreesWithTheEquationsIn1000RandomHertzStates) {
+  EXPECT_LT(worst_error("hertz"), 1e-12);
+}
+TEST(ElasticPlasticRolling, AgreesWithTheEquationsIn1000RandomJkrStates) {
+  EXPECT_LT(worst_error("jkr"), 1e-10);
+}
 
 struct Rolled {
   RandomState state = random_state("hertz", 1);

@@ -13,7 +13,9 @@ class Draw {
  public:
   explicit Draw(std::uint64_t number, std::uint32_t stream = 0) : number_(number), stream_(stream) {}
 
-  double between(double low, double high) { return low + (high - low) * uniform(20250117, stream_, number_, next_++); }
+  double between(double low, double high) {
+    return low + (high - low) * uniform(20250117, stream_, number_, next_++);
+  }
   /// Uniform in the logarithm, for quantities of unknown size.
   double decades(double low, double high) { return low * std::pow(high / low, between(0.0, 1.0)); }
   bool chance(double share) { return between(0.0, 1.0) < share; }

@@ -10,7 +10,9 @@ namespace pulvis::testing {
 using Quad = __float128;
 
 /// pi as the sum of its first 106 bits, since a literal of this type is not standard C++.
-inline Quad quad_pi() { return static_cast<Quad>(0x1.921fb54442d18p+1) + static_cast<Quad>(0x1.1a62633145c07p-53); }
+inline Quad quad_pi() {
+  return static_cast<Quad>(0x1.921fb54442d18p+1) + static_cast<Quad>(0x1.1a62633145c07p-53);
+}
 
 inline Quad quad_magnitude(Quad a) { return a < 0 ? -a : a; }
 

@@ -16,7 +16,8 @@ struct Stuff {
 };
 
 struct LawParts {
-  std::string normal = "hertz", damping = "restitution", sliding = "total_spring", rolling = "elastic_plastic";
+  std::string normal = "hertz", damping = "restitution", sliding = "total_spring",
+              rolling = "elastic_plastic";
   laws::Choices choices;
 };
 
@@ -42,8 +43,8 @@ inline laws::MaterialPair material_pair(const Stuff& a, const Stuff& b) {
 }
 
 /// A model of one contact class for parcels and walls alike, in a box, with gravity along -z and no walls.
-inline Model one_pair(const laws::MaterialPair& pair, const LawParts& parts, const Vec3& low, const Vec3& high,
-                      double dt, double smallest_radius, double largest_radius) {
+inline Model one_pair(const laws::MaterialPair& pair, const LawParts& parts, const Vec3& low,
+                      const Vec3& high, double dt, double smallest_radius, double largest_radius) {
   Model m;
   m.domain.min = low;
   m.domain.max = high;
@@ -58,8 +59,8 @@ inline Model one_pair(const laws::MaterialPair& pair, const LawParts& parts, con
 }
 
 /// The same for one species, mixed with itself.
-inline Model one_material(const Stuff& stuff, const LawParts& parts, const Vec3& low, const Vec3& high, double dt,
-                          double smallest_radius, double largest_radius) {
+inline Model one_material(const Stuff& stuff, const LawParts& parts, const Vec3& low, const Vec3& high,
+                          double dt, double smallest_radius, double largest_radius) {
   return one_pair(material_pair(stuff, stuff), parts, low, high, dt, smallest_radius, largest_radius);
 }
 
@@ -96,30 +97,60 @@ inline State state_of(const Model& m, const std::vector<Parcel>& parcels) {
   return s;
 }
 
-/// The yardstick bed: spheres of 1.25 mm radius in a periodic 0.1 m x 0.1 m column, put on a loose lattice
-/// with a little noise, ready to settle on a floor. 60,000 of them fill it to a height of about 75 mm.
-inline Model yardstick_model(const LawParts& parts, double width, double height) {
-  Stuff stuff;
+/// The yardstick's material and floor: spheres of 1.25 mm radius in a column periodic in x and y.
+inline Model yardstick_model(const Stuff& stuff, const LawParts& parts, double width, double height) {
   Model m = one_material(stuff, parts, {0, 0, -0.002}, {width, width, height}, 1e-5, 0.00125, 0.00125);
+  m.parcels_per_thread = Model{}.parcels_per_thread;
   m.domain.periodic[0] = m.domain.periodic[1] = true;
   add_wall(m, plane_surface("floor", {0, 0, 0}, {0, 0, 1}));
   return m;
 }
 
-inline std::vector<Parcel> loose_lattice(std::size_t count, double width, double spacing, double radius,
-                                         double density) {
-  const auto along = static_cast<std::size_t>(width / spacing);
-  std::vector<Parcel> list;
-  for (std::size_t k = 0; k < count; ++k) {
-    const auto noise = [&](std::uint32_t axis) {
-      return (uniform(7, 0, k, axis) - 0.5) * 0.8 * (spacing - 2.0 * radius);
-    };
-    const Vec3 at{(static_cast<double>(k % along) + 0.5) * spacing + noise(0),
-                  (static_cast<double>(k / along % along) + 0.5) * spacing + noise(1),
-                  (static_cast<double>(k / along / along) + 0.5) * spacing + noise(2)};
-    list.push_back(parcel(static_cast<std::uint32_t>(k), at, radius, density));
-  }
-  return list;
+/// A settled bed of the yardstick: `count` spheres put into a column at random and let fall for `steps`.
+inline State settled_yardstick(const Stuff& stuff, const LawParts& parts, double width, std::size_t count,
+                               int steps, int threads) {
+  const double radius = 0.00125;
+  const double height = static_cast<double>(count) * sphere_volume(radius) / (0.3 * width * width);
+  Model m = yardstick_model(stuff, parts, width, 1.1 * height);
+  SourceModel pack;
+  pack.name = "pack";
+  pack.density = stuff.density;
+  SizeLaw single;
+  single.diameter = single.smallest = single.largest = 2.0 * radius;
+  pack.sizes = SizeSampler(single);
+  pack.region.min = {-radius, -radius, 0.0};  // the periodic faces are no walls
+  pack.region.max = {width + radius, width + radius, height};
+  pack.velocity = {0, 0, -0.5};
+  pack.target_count = count;
+  m.sources.push_back(pack);
+  Simulation simulation(m, Simulation::initial_state(m), threads);
+  simulation.open_source(0);
+  for (int k = 0; k < steps; ++k) simulation.step();
+  State state = simulation.snapshot();
+  state.sources.clear();
+  return state;
+}
+
+/// A periodic bed side by side with itself, `tiles` times along x and y (contacts begin anew).
+inline State tiled(const State& one, double width, std::uint32_t tiles) {
+  State s = one;
+  s.parcels = {};
+  s.pairs = s.walls = {};
+  const auto count = static_cast<std::uint32_t>(one.parcels.size());
+  for (std::uint32_t ty = 0; ty < tiles; ++ty)
+    for (std::uint32_t tx = 0; tx < tiles; ++tx)
+      for (std::uint32_t k = 0; k < count; ++k) {
+        Parcel p = one.parcels.body[k];
+        p.position += Vec3{width * tx, width * ty, 0.0};
+        p.id += (ty * tiles + tx) * count;
+        s.parcels.body.push_back(p);
+        s.parcels.load.push_back(one.parcels.load[k]);
+      }
+  s.pairs.begin.assign(s.parcels.size() + 1, 0);
+  s.walls.begin.assign(s.parcels.size() + 1, 0);
+  s.next_id = static_cast<std::uint32_t>(s.parcels.size());
+  s.ledger.inserted = s.parcels.size();
+  return s;
 }
 
 }  // namespace pulvis::scenes

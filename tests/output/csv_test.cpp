@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "output/csv.hpp"
+
+#include <cstdlib>
+#include <stdexcept>
+
+#include "failures.hpp"
+#include "scratch_folder.hpp"
+
+namespace pulvis {
+namespace {
+
+using namespace test;
+
+TEST(CsvLog, StartsWithItsHeaderAndHoldsEachLineAtOnce) {
+  ScratchFolder folder;
+  CsvLog log(folder.file("log.csv"), {"time_s", "parcels", "phase"});
+  EXPECT_EQ(content_of(folder.file("log.csv")), "time_s,parcels,phase\n");
+  log.add({0.1, std::int64_t{12}, "fill"});
+  EXPECT_EQ(content_of(folder.file("log.csv")), "time_s,parcels,phase\n0.1,12,fill\n");
+}
+
+TEST(CsvLog, WritesDoublesThatReadBackAsTheSameBits) {
+  ScratchFolder folder;
+  for (const double value : {0.1, 1.0 / 3.0, 6.02214076e23, -1.7976931348623157e308, 5e-324, 4.6e-6, 1e22}) {
+    CsvLog log(folder.file("log.csv"), {"x"});
+    log.add({value});
+    EXPECT_EQ(std::strtod(content_of(folder.file("log.csv")).c_str() + 2, nullptr), value);
+  }
+}
+
+TEST(CsvLog, QuotesTextThatWouldBreakTheTable) {
+  ScratchFolder folder;
+  CsvLog log(folder.file("log.csv"), {"phase", "n"});
+  log.add({"fill, then \"settle\"", std::int64_t{-1}});
+  EXPECT_EQ(content_of(folder.file("log.csv")), "phase,n\n\"fill, then \"\"settle\"\"\",-1\n");
+}
+
+TEST(CsvLog, RefusesALineOfAnotherLength) {
+  ScratchFolder folder;
+  CsvLog log(folder.file("log.csv"), {"a", "b"});
+  EXPECT_THROW(log.add({1.0}), std::invalid_argument);
+  EXPECT_EQ(content_of(folder.file("log.csv")), "a,b\n");
+}
+
+TEST(CsvLog, TakesBackTheLineThatDidNotFit) {
+  ScratchFolder folder;
+  CsvLog log(folder.file("log.csv"), {"a"}, SmallDisk::calls(9));
+  log.add({0.25});  // 2 bytes of header and 5 of this leave 2
+  const auto message = failure_of(Exit::io, [&] { log.add({0.125}); });
+  EXPECT_NE(message.find("No space left on device"), std::string::npos) << message;
+  EXPECT_EQ(content_of(folder.file("log.csv")), "a\n0.25\n");
+}
+
+TEST(CsvLog, FailsOnADeviceThatIsFull) {
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
+  const auto message = failure_of(Exit::io, [] { CsvLog("/dev/full", {"a"}); });
+  EXPECT_EQ(
+      message,
+      "cannot write /dev/full: No space left on device; free some space or choose another results folder");
+}
+
+TEST(CsvLog, FailsWithoutItsFolder) {
+  ScratchFolder folder;
+  failure_of(Exit::io, [&] { CsvLog(folder.file("missing/log.csv"), {"a"}); });
+}
+
+}  // namespace
+}  // namespace pulvis
