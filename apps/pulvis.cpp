@@ -5,6 +5,7 @@
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
+#include <string_view>
 
 #include "apps/templates.hpp"
 #include "case/reader.hpp"
@@ -66,6 +67,9 @@ Exit make_new(const std::string& name, const std::string& folder) {
 
 int main(int argc, char** argv) {
   CLI::App app{"pulvis simulates how cohesive powder fills a die.\nStart with: pulvis new die-filling my-case"};
+  app.footer(
+      "Exit codes: 0 completed, 2 usage or results folder in use, 3 invalid case, 4 unreadable input, 5 physics\n"
+      "(not a number, lost parcel), 6 results cannot be written, 7 internal check, 130 Ctrl-C");
   app.set_version_flag("--version", PULVIS_VERSION);
   app.require_subcommand(1);
 
@@ -78,14 +82,25 @@ int main(int argc, char** argv) {
   run->add_option("--out", request.out, "folder for the results")->required();
   run->add_option("--set", settings, "override a key: --set key.path=value (repeatable)")->allow_extra_args(false);
   run->add_option("--threads", request.threads, "threads; default: all processors")->check(CLI::Range(1, 1024));
+  run->footer(
+      "Example: pulvis run case.toml --out results --set powders.mo.coarse_graining=50 --set 'output.interval=1 ms'\n"
+      "Leaves result.json, log.csv, picture.png and series for ParaView (parcels.pvd, walls.pvd, porosity.pvd) in\n"
+      "the folder. Ctrl-C ends the run after the current step with valid results.");
   run->add_flag("--force", request.force, "replace the results of an earlier run in that folder");
 
   auto* check_command = app.add_subcommand("check", "validate a case and print what follows from it; simulates nothing");
+  check_command->footer(
+      "Prints the time step and the limit that binds it, parcels, memory, and for each pair of materials (walls\n"
+      "included) pull-off force, Bond number, sticking speed and expected overlap, for a real grain and for the\n"
+      "parcel that is simulated in its stead.");
   check_command->add_option("CASE", file, "case file (TOML)")->required();
   check_command->add_option("--set", settings, "override a key: --set key.path=value (repeatable)")->allow_extra_args(false);
 
   auto* new_command = app.add_subcommand("new", "write a case to start from");
-  new_command->add_option("TEMPLATE", name, "which: die-filling")->required();
+  std::string list = "Templates:";
+  for (const auto& t : pulvis::templates()) list += fmt::format("\n  {:<14} {}", t.name, t.help);
+  new_command->footer(list);
+  new_command->add_option("TEMPLATE", name, "one of the templates below")->required();
   new_command->add_option("DIR", folder, "new folder")->required();
 
   auto* explain = app.add_subcommand("explain", "explain a key of the case file, e.g. powders.coarse_graining");
@@ -95,6 +110,7 @@ int main(int argc, char** argv) {
   app.add_subcommand("schema", "print a JSON Schema of the case file, for editors");
 
   try {
+    if (argc > 1 && std::string_view(argv[1]) == "help") return fmt::print("{}", app.help()), 0;
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     // The library would only say that a subcommand is missing.

@@ -121,7 +121,7 @@ struct Phase {
   double duration = 0.0;        ///< s; until = time
   double mass = 0.0;            ///< kg in the measured region; until = mass
   double cycles = 0.0;          ///< -; until = cycles, of the first motion
-  std::optional<double> kinetic_energy;  ///< J per parcel; until = rest; default: 1e-3 of m g d of the d50 parcel
+  std::optional<double> kinetic_energy;  ///< translational, J per parcel; until = rest; default: 1e-3 of m g d of the d50 parcel
   double at_least = 0.0;        ///< s; the criterion is not asked before
   double time_limit = 0.0;      ///< s; required unless until is time or cycles
   bool limit_is_error = false;  ///< reaching the limit stops the run (exit 5) instead of ending the phase

@@ -240,7 +240,7 @@ void append_phases(Keys& keys) {
                     .when_unset = "1e-3 of m g d of the median parcel",
                     .range = positive,
                     .only_when = {"until", {"rest"}},
-                    .help = "mean kinetic energy per parcel below which the powder is at rest"},
+                    .help = "mean translational kinetic energy per parcel below which the powder is at rest"},
                    {.pattern = "phases[].at_least",
                     .kind = quantity,
                     .dimension = dimension::time,

@@ -37,7 +37,7 @@ struct PictureRequest {
   std::optional<ColourBar> colour_bar;
   std::string title, caption;       ///< above and below; UTF-8, either may be empty
   Vec3 up{0.0, 0.0, 1.0};           ///< against gravity
-  int width = 1600, height = 1200;  ///< pixels, at least 400 x 300
+  int width = 1200, height = 900;  ///< pixels, at least 400 x 300
   int threads = 0;                  ///< 0: all there are
 };
 

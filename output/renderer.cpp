@@ -13,8 +13,8 @@
 namespace pulvis {
 namespace {
 
-constexpr int samples_per_edge = 3;    // of a pixel: nine smooth the outlines
-constexpr int sky_rays = 4;            // per sample, so 36 per pixel
+constexpr int samples_per_edge = 2;    // of a pixel: four smooth the outlines
+constexpr int sky_rays = 6;            // per sample, so 24 per pixel
 constexpr int most_wall_layers = 8;    // seen through one another
 constexpr double eye_distance = 3.0;   // outside the scene, whose radius is one
 constexpr double beyond = 6.0;         // behind the scene for a ray from the eye

@@ -166,7 +166,7 @@ std::string check_report(const Case& c, const Assembly& a, const Forecast& f) {
                       std::ceil(f.memory / 1e6), format_quantity(f.bed_stress, dimension::pressure));
   for (std::size_t k = 0; k < c.motions.size(); ++k) {
     const double peak = c.motions[k].amplitude * square(2.0 * 3.14159265358979323846 * c.motions[k].frequency);
-    text += fmt::format("motion {}: amplitude {}, {} , peak acceleration {} ({:.3g} g)\n", c.motions[k].name,
+    text += fmt::format("motion {}: amplitude {}, {}, peak acceleration {} ({:.3g} g)\n", c.motions[k].name,
                         format_quantity(c.motions[k].amplitude, dimension::length),
                         format_quantity(c.motions[k].frequency, dimension::frequency),
                         format_quantity(peak, dimension::acceleration), peak / 9.80665);

@@ -20,22 +20,21 @@ std::uint64_t steps_for(double seconds, double dt) {
   return static_cast<std::uint64_t>(std::llround(std::max(seconds / dt, 1.0)));
 }
 
-/// The energy m g d/1000 that lifts a d50 parcel by a thousandth of its diameter, J.
-double rest_energy(const Case& c) {
-  const Powder& powder = c.powders.front();
-  const double d50 = SizeSampler(parcel_sizes(powder)).median_by_mass();
-  const double mass = c.materials[powder.material].density * sphere_volume(0.5 * d50);
-  return 1e-3 * mass * std::max(norm(c.gravity), 1e-3) * d50;
-}
-
-double kinetic_energy(const Simulation& simulation) {
-  return measures::energies(look_at(simulation).bodies, simulation.model().gravity).kinetic();
+/// Translational energy of all parcels, J. Spin about a contact's normal meets no resistance, so rotation may
+/// never die out; it does not move powder.
+double translational_energy(const Simulation& simulation) {
+  return measures::energies(look_at(simulation).bodies, simulation.model().gravity).translational;
 }
 
 }  // namespace
 
-Procedure::Procedure(const Case& c, Simulation& simulation)
-    : case_(c), simulation_(simulation), default_rest_energy_(rest_energy(c)) {
+Procedure::Procedure(const Case& c, Simulation& simulation) : case_(c), simulation_(simulation) {
+  const Powder& powder = c.powders.front();
+  const double d50 = SizeSampler(parcel_sizes(powder)).median_by_mass();
+  const double mass = c.materials[powder.material].density * sphere_volume(0.5 * d50);
+  const double g = std::max(norm(c.gravity), 1e-3);
+  default_rest_energy_ = 1e-3 * mass * g * d50;
+  time_to_fall_ = std::sqrt(2.0 * d50 / g);
   if (simulation_.state().step == 0 && !finished()) begin_phase();
 }
 
@@ -75,7 +74,8 @@ std::optional<std::uint64_t> Procedure::planned_steps(const Phase& p) const {
 bool Procedure::criterion_met(const Phase& p) const {
   const std::uint64_t steps = steps_in_phase();
   if (const auto planned = planned_steps(p)) return steps >= *planned;
-  if (static_cast<double>(steps) * simulation_.model().dt < p.at_least) return false;
+  const double seconds = static_cast<double>(steps) * simulation_.model().dt;
+  if (seconds < p.at_least) return false;
   if (p.until == Phase::Until::inserted)
     return std::all_of(p.sources.begin(), p.sources.end(),
                        [&](std::size_t s) { return simulation_.state().sources[s].done; });
@@ -85,8 +85,9 @@ bool Procedure::criterion_met(const Phase& p) const {
     const Sight sight = look_at(simulation_);
     return die && measures::fill_inside(sight.spheres, sight.masses, *die).mass >= p.mass;
   }
+  if (seconds < time_to_fall_) return false;
   const double limit = p.kinetic_energy.value_or(default_rest_energy_);
-  return kinetic_energy(simulation_) <= limit * static_cast<double>(simulation_.state().parcels.size());
+  return translational_energy(simulation_) <= limit * static_cast<double>(simulation_.state().parcels.size());
 }
 
 std::optional<std::string> Procedure::ended() const {

@@ -199,7 +199,7 @@ void Results::picture(const Simulation& simulation, const std::string& name, con
   request.title = case_.title.empty() ? case_.file : case_.title;
   request.caption = caption;
   request.up = norm(case_.gravity) > 0.0 ? -case_.gravity : Vec3{0, 0, 1};
-  request.threads = simulation.threads();
+  request.threads = simulation.most_threads();
   write_picture(folder_.file(name + ".png"), request);
 }
 
@@ -218,12 +218,13 @@ void Results::write_result(const RunSummary& summary, const Simulation* simulati
                                                         : assembly_.time_step.limits.front().kind + " of " +
                                                               assembly_.time_step.limits.front().of;
     json["wall_time_s"] = summary.wall_time;
-    json["threads"] = simulation->threads();
+    json["threads"] = simulation->most_threads();
     json["list_rebuilds"] = simulation->rebuilds();
     json["instruction_set"] = kernels::name_of(kernels::instruction_set());
     json["particles"] = state.parcels.size();
+    json["time_table_s"] = {{"steps", summary.stepping_time}, {"measures_files_pictures", summary.looking_time}};
     json["particle_steps_per_s"] =
-        summary.wall_time > 0.0 ? static_cast<double>(summary.particle_steps) / summary.wall_time : 0.0;
+        summary.stepping_time > 0.0 ? static_cast<double>(summary.particle_steps) / summary.stepping_time : 0.0;
     json["largest_overlap_over_radius"] = largest_overlap_;
     json["state_hash"] = state_hash(state);
     json["ledger"] = {{"inserted", ledger.inserted},

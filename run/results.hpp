@@ -29,6 +29,8 @@ struct RunSummary {
   Exit exit = Exit::ok;
   std::string reason;
   double wall_time = 0.0;         ///< s
+  double stepping_time = 0.0;     ///< s of it in time steps
+  double looking_time = 0.0;      ///< s of it in measures, files and pictures
   std::uint64_t particle_steps = 0;
   std::vector<PhaseRecord> phases;
   std::vector<std::string> warnings;

@@ -11,6 +11,7 @@
 
 #include "case/units.hpp"
 #include "output/progress.hpp"
+#include "run/preflight.hpp"
 #include "run/procedure.hpp"
 #include "run/results.hpp"
 
@@ -58,6 +59,10 @@ class Runner {
   void close_phase(const std::string& ended_by, RunSummary& summary);
   void show_progress(const RunSummary& summary);
   void check_escapes() const;
+  void warn(RunSummary& summary, const std::string& text) {
+    summary.warnings.push_back(text);
+    progress_.message("warning: " + text);
+  }
 
   const Case& case_;
   Results& results_;
@@ -94,10 +99,9 @@ void Runner::close_phase(const std::string& ended_by, RunSummary& summary) {
   for (const std::size_t s : phase.sources) {
     const SourceState& source = simulation_.state().sources[s];
     if (source.done || (phase.until != Phase::Until::inserted && phase.until != Phase::Until::mass)) continue;
-    summary.warnings.push_back(fmt::format("source {} had given {} parcels ({}) when phase {} ended by {}",
+    warn(summary, fmt::format("source {} had given {} parcels ({}) when phase {} ended by {}",
                                            case_.sources[s].name, source.count,
                                            format_quantity(source.mass, dimension::mass), phase.name, ended_by));
-    progress_.message("warning: " + summary.warnings.back());
   }
   if (case_.output.picture) {
     const bool last = simulation_.state().progress.phase + 1 == case_.phases.size();
@@ -118,15 +122,24 @@ void Runner::show_progress(const RunSummary& summary) {
 void Runner::run(RunSummary& summary) {
   results_.log(simulation_, procedure_.phase().name);
   results_.frame(simulation_, {});
+  double mark = seconds_now();
+  const auto since_mark = [&] {
+    const double before = mark;
+    mark = seconds_now();
+    return mark - before;
+  };
   while (!procedure_.finished()) {
     simulation_.step();
     summary.particle_steps += simulation_.state().parcels.size();
     check_escapes();
     const auto ended = procedure_.ended();
+    summary.stepping_time += since_mark();
     look(ended.has_value(), procedure_.phase().name);
     if (simulation_.state().step % 16 == 0 || ended) show_progress(summary);
+    summary.looking_time += since_mark();
     if (ended) {
       close_phase(*ended, summary);
+      summary.looking_time += since_mark();
       procedure_.next_phase();
     } else if (stop_asked) {
       close_phase("stopped on request", summary);
@@ -152,11 +165,16 @@ void check_ledger(const Simulation& simulation) {
                             l.inserted, present, l.removed, l.escaped, off));
 }
 
+void add_warning(RunSummary& summary, const std::string& text) {
+  summary.warnings.push_back(text);
+  fmt::print(stderr, "warning: {}\n", text);
+}
+
 void print_summary(const Case& c, const Results& results, const RunSummary& summary, const Simulation& simulation) {
-  fmt::print("{} after {} of simulated time ({} steps, {} parcels) in {}, {} particle-steps/s\n",
+  fmt::print("{} after {} of simulated time ({} steps, {} parcels) in {} ({} of it measures, files and pictures), {} particle-steps/s\n",
              summary.exit == Exit::ok ? "Completed" : "Ended", format_quantity(simulation.time(), dimension::time),
              simulation.state().step, simulation.state().parcels.size(), duration_text(summary.wall_time),
-             count_text(static_cast<double>(summary.particle_steps) / std::max(summary.wall_time, 1e-9)));
+             duration_text(summary.looking_time), count_text(static_cast<double>(summary.particle_steps) / std::max(summary.stepping_time, 1e-9)));
   for (const PhaseRecord& p : summary.phases) {
     fmt::print("  {:<12} {:>10} to {:>10}  ended by {}", p.name, format_quantity(p.start, dimension::time),
                format_quantity(p.end, dimension::time), p.ended_by);
@@ -197,6 +215,13 @@ Exit run_case(const RunRequest& request) {
   results.write_case(request.overrides);
 
   RunSummary summary;
+  // What stands there if this process is killed, or the disk is too full for more.
+  summary.exit = Exit::unexpected;
+  summary.reason = "the run has not ended, or it was killed";
+  results.write_result(summary, nullptr);
+  summary.exit = Exit::ok;
+  for (const auto& warning : forecast(c, assembly).warnings) add_warning(summary, warning);
+
   std::optional<Runner> runner;
   const double start = seconds_now();
   try {
@@ -206,16 +231,18 @@ Exit run_case(const RunRequest& request) {
   } catch (const Failure& failure) {
     summary.exit = failure.code();
     summary.reason = failure.what();
+  } catch (const std::exception& error) {
+    summary.exit = Exit::unexpected;
+    summary.reason = fmt::format("unexpected: {}", error.what());
   }
   summary.wall_time = seconds_now() - start;
   if (results.largest_overlap() > 0.05)
-    summary.warnings.push_back(fmt::format("parcels overlapped by up to {:.1f} % of their radius; above 5 % a contact "
-                                           "law of small overlaps is out of its range: raise simulated_modulus",
-                                           100 * results.largest_overlap()));
+    add_warning(summary, fmt::format("parcels overlapped by up to {:.1f} % of their radius; above 5 % a contact law of "
+                                     "small overlaps is out of its range: raise simulated_modulus",
+                                     100 * results.largest_overlap()));
   results.write_result(summary, runner ? &runner->simulation() : nullptr);
   if (runner && (summary.exit == Exit::ok || summary.exit == Exit::cancelled))
     print_summary(c, results, summary, runner->simulation());
-  for (const auto& warning : summary.warnings) fmt::print(stderr, "warning: {}\n", warning);
   if (summary.exit != Exit::ok) fmt::print(stderr, "pulvis: {}\n", summary.reason);
   return summary.exit;
 }

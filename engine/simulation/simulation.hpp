@@ -39,6 +39,7 @@ class Simulation {
   Vec3 body_displacement(std::size_t body) const { return poses_[body].now; }
   /// Threads in use: no more than are worth waking for so many parcels.
   int threads() const;
+  int most_threads() const { return most_threads_; }
   std::uint64_t rebuilds() const { return rebuilds_; }
 
   /// Force of all parcels on a surface, N, summed in order of ids.

@@ -49,8 +49,11 @@ TEST(StateHash, SceneIsWorthTheTrouble) {
 }
 
 TEST(StateHash, IsTheSameForTwoAndThreeThreads) {
-  EXPECT_EQ(hash_after(sticky_start(2)), plain_hash());
-  EXPECT_EQ(hash_after(sticky_start(3)), plain_hash());
+  for (const int threads : {2, 3}) {
+    Simulation s = sticky_start(threads);
+    ASSERT_EQ(s.threads(), threads) << "the threads must be used for the test to mean anything";
+    EXPECT_EQ(hash_after(std::move(s)), plain_hash());
+  }
 }
 
 TEST(StateHash, IsTheSameForHalfAndTwiceTheSkin) {
