@@ -54,8 +54,8 @@ Exit make_new(const std::string& name, const std::string& folder) {
     std::filesystem::create_directories(folder, error);
     if (error) throw Failure(Exit::io, fmt::format("cannot create {}: {}", folder, error.message()));
     pulvis::write_file_safely(path.string(), t.text);
-    fmt::print("{}\nNow: pulvis check {}, then pulvis run {} --out {}\n", path.string(), path.string(), path.string(),
-               (std::filesystem::path(folder) / "results").string());
+    fmt::print("{}\nNow: pulvis check {}, then pulvis run {} --out {}\n", path.string(), path.string(),
+               path.string(), (std::filesystem::path(folder) / "results").string());
     return Exit::ok;
   }
   std::string known;
@@ -66,9 +66,11 @@ Exit make_new(const std::string& name, const std::string& folder) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app{"pulvis simulates how cohesive powder fills a die.\nStart with: pulvis new die-filling my-case"};
+  CLI::App app{
+      "pulvis simulates how cohesive powder fills a die.\nStart with: pulvis new die-filling my-case"};
   app.footer(
-      "Exit codes: 0 completed, 2 usage or results folder in use, 3 invalid case, 4 unreadable input, 5 physics\n"
+      "Exit codes: 0 completed, 2 usage or results folder in use, 3 invalid case, 4 unreadable input, 5 "
+      "physics\n"
       "(not a number, lost parcel), 6 results cannot be written, 7 internal check, 130 Ctrl-C");
   app.set_version_flag("--version", PULVIS_VERSION);
   app.require_subcommand(1);
@@ -80,21 +82,29 @@ int main(int argc, char** argv) {
   auto* run = app.add_subcommand("run", "run a case");
   run->add_option("CASE", request.case_file, "case file (TOML)")->required();
   run->add_option("--out", request.out, "folder for the results")->required();
-  run->add_option("--set", settings, "override a key: --set key.path=value (repeatable)")->allow_extra_args(false);
-  run->add_option("--threads", request.threads, "threads; default: all processors")->check(CLI::Range(1, 1024));
+  run->add_option("--set", settings, "override a key: --set key.path=value (repeatable)")
+      ->allow_extra_args(false);
+  run->add_option("--threads", request.threads, "threads; default: all processors")
+      ->check(CLI::Range(1, 1024));
   run->footer(
-      "Example: pulvis run case.toml --out results --set powders.mo.coarse_graining=50 --set 'output.interval=1 ms'\n"
-      "Leaves result.json, log.csv, picture.png and series for ParaView (parcels.pvd, walls.pvd, porosity.pvd) in\n"
+      "Example: pulvis run case.toml --out results --set powders.mo.coarse_graining=50 --set "
+      "'output.interval=1 ms'\n"
+      "Leaves result.json, log.csv, picture.png and series for ParaView (parcels.pvd, walls.pvd, "
+      "porosity.pvd) in\n"
       "the folder. Ctrl-C ends the run after the current step with valid results.");
   run->add_flag("--force", request.force, "replace the results of an earlier run in that folder");
 
-  auto* check_command = app.add_subcommand("check", "validate a case and print what follows from it; simulates nothing");
+  auto* check_command =
+      app.add_subcommand("check", "validate a case and print what follows from it; simulates nothing");
   check_command->footer(
-      "Prints the time step and the limit that binds it, parcels, memory, and for each pair of materials (walls\n"
-      "included) pull-off force, Bond number, sticking speed and expected overlap, for a real grain and for the\n"
+      "Prints the time step and the limit that binds it, parcels, memory, and for each pair of materials "
+      "(walls\n"
+      "included) pull-off force, Bond number, sticking speed and expected overlap, for a real grain and for "
+      "the\n"
       "parcel that is simulated in its stead.");
   check_command->add_option("CASE", file, "case file (TOML)")->required();
-  check_command->add_option("--set", settings, "override a key: --set key.path=value (repeatable)")->allow_extra_args(false);
+  check_command->add_option("--set", settings, "override a key: --set key.path=value (repeatable)")
+      ->allow_extra_args(false);
 
   auto* new_command = app.add_subcommand("new", "write a case to start from");
   std::string list = "Templates:";
@@ -103,7 +113,8 @@ int main(int argc, char** argv) {
   new_command->add_option("TEMPLATE", name, "one of the templates below")->required();
   new_command->add_option("DIR", folder, "new folder")->required();
 
-  auto* explain = app.add_subcommand("explain", "explain a key of the case file, e.g. powders.coarse_graining");
+  auto* explain =
+      app.add_subcommand("explain", "explain a key of the case file, e.g. powders.coarse_graining");
   explain->add_option("KEY", key, "a key or a table")->required();
 
   app.add_subcommand("keys", "print the reference of all keys (Markdown)");

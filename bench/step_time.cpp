@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Time per particle-step and memory on settled beds of growing size: step_time [--threads N] [--jkr] [COUNT...]
-// A bed of 10,000 is settled once and laid side by side, so that all sizes are the same bed.
+// Time per particle-step and memory on settled beds of growing size: step_time [--threads N] [--jkr]
+// [COUNT...] A bed of 10,000 is settled once and laid side by side, so that all sizes are the same bed.
 #include <fmt/format.h>
 #include <sys/resource.h>
 
@@ -30,8 +30,8 @@ double peak_bytes() {
   return static_cast<double>(usage.ru_maxrss) * 1024.0;
 }
 
-void measure(const State& settled, std::size_t count, const scenes::Stuff& stuff, const scenes::LawParts& parts,
-             int threads) {
+void measure(const State& settled, std::size_t count, const scenes::Stuff& stuff,
+             const scenes::LawParts& parts, int threads) {
   const auto tiles = static_cast<std::uint32_t>(std::lround(std::sqrt(static_cast<double>(count) / tile)));
   const Model model = scenes::yardstick_model(stuff, parts, width * std::max(tiles, 1u), 0.3);
   Simulation simulation(model, scenes::tiled(settled, width, std::max(tiles, 1u)), threads);
@@ -45,10 +45,11 @@ void measure(const State& settled, std::size_t count, const scenes::Stuff& stuff
   std::size_t touching = 0;
   for (const auto t : simulation.pairs().touching) touching += t;
   const auto n = static_cast<double>(parcels);
-  fmt::print("{:>10} {:>8} {:>10.1f} {:>12.2f} {:>10.2f} {:>10.2f} {:>12.4f} {:>12.0f} {:>12.0f}\n", parcels, threads,
-             per * 1e9, 1e-6 / per, static_cast<double>(touching) / n, static_cast<double>(simulation.pairs().slots()) / n,
-             static_cast<double>(simulation.rebuilds() - rebuilds) / steps, static_cast<double>(simulation.memory()) / n,
-             peak_bytes() / n);
+  fmt::print("{:>10} {:>8} {:>10.1f} {:>12.2f} {:>10.2f} {:>10.2f} {:>12.4f} {:>12.0f} {:>12.0f}\n", parcels,
+             threads, per * 1e9, 1e-6 / per, static_cast<double>(touching) / n,
+             static_cast<double>(simulation.pairs().slots()) / n,
+             static_cast<double>(simulation.rebuilds() - rebuilds) / steps,
+             static_cast<double>(simulation.memory()) / n, peak_bytes() / n);
 }
 
 }  // namespace
@@ -70,8 +71,8 @@ int main(int argc, char** argv) {
   if (counts.empty()) counts = {10000, 90000, 1000000};
   fmt::print("{} kernels; settling a bed of {}\n", kernels::name_of(kernels::instruction_set()), tile);
   const State settled = scenes::settled_yardstick(stuff, parts, width, tile, settling_steps, threads);
-  fmt::print("{:>10} {:>8} {:>10} {:>12} {:>10} {:>10} {:>12} {:>12} {:>12}\n", "parcels", "threads", "ns/step",
-             "Mp-steps/s", "contacts", "near", "rebuild/step", "bytes", "peak bytes");
+  fmt::print("{:>10} {:>8} {:>10} {:>12} {:>10} {:>10} {:>12} {:>12} {:>12}\n", "parcels", "threads",
+             "ns/step", "Mp-steps/s", "contacts", "near", "rebuild/step", "bytes", "peak bytes");
   for (const std::size_t count : counts) measure(settled, count, stuff, parts, threads);
   return 0;
 }

@@ -15,13 +15,13 @@ namespace pulvis {
 /// Material of a powder or a wall. `*_coefficient` values are those against itself; see `Mixing`.
 struct Material {
   std::string name;
-  double density = 0.0;          ///< kg/m^3
-  double young_modulus = 0.0;    ///< Pa
-  double poisson_ratio = 0.0;    ///< -
-  double surface_energy = 0.0;   ///< gamma of one surface, J/m^2
-  double restitution = 0.0;      ///< coefficient of restitution, -
-  double friction = 0.0;         ///< Coulomb coefficient, -
-  double rolling_friction = 0.0; ///< -
+  double density = 0.0;           ///< kg/m^3
+  double young_modulus = 0.0;     ///< Pa
+  double poisson_ratio = 0.0;     ///< -
+  double surface_energy = 0.0;    ///< gamma of one surface, J/m^2
+  double restitution = 0.0;       ///< coefficient of restitution, -
+  double friction = 0.0;          ///< Coulomb coefficient, -
+  double rolling_friction = 0.0;  ///< -
 };
 
 /// How the coefficients of two materials make that of the pair, where no pair states its own.
@@ -38,35 +38,35 @@ struct PairOverride {
 struct SizeDistribution {
   enum class Kind { single, uniform, normal, lognormal, table };
   Kind kind = Kind::single;
-  double diameter = 0.0;            ///< m; single: the diameter; normal: mean; lognormal: median (by number)
-  double standard_deviation = 0.0;  ///< m; normal
-  double geometric_deviation = 1.0; ///< -; lognormal: exp(sigma of ln d)
-  double smallest = 0.0;            ///< m; cut-off; uniform: lower end; single: the diameter
-  double largest = 0.0;             ///< m; cut-off; uniform: upper end; single: the diameter
-  bool by_mass = false;             ///< table: shares are mass fractions, not number fractions
-  std::vector<double> diameters;    ///< m; table, ascending
-  std::vector<double> shares;       ///< -; table, same length, positive, any sum
+  double diameter = 0.0;             ///< m; single: the diameter; normal: mean; lognormal: median (by number)
+  double standard_deviation = 0.0;   ///< m; normal
+  double geometric_deviation = 1.0;  ///< -; lognormal: exp(sigma of ln d)
+  double smallest = 0.0;             ///< m; cut-off; uniform: lower end; single: the diameter
+  double largest = 0.0;              ///< m; cut-off; uniform: upper end; single: the diameter
+  bool by_mass = false;              ///< table: shares are mass fractions, not number fractions
+  std::vector<double> diameters;     ///< m; table, ascending
+  std::vector<double> shares;        ///< -; table, same length, positive, any sum
 };
 
 /// A powder: a material, a size distribution, and how it is represented.
 struct Powder {
   enum class Keep { pull_off, sticking_speed };
   std::string name;
-  std::size_t material = 0;               ///< index into Case::materials
-  SizeDistribution size;                  ///< of the real grains
-  double coarse_graining = 1.0;           ///< alpha = parcel diameter / grain diameter, >= 1
+  std::size_t material = 0;                 ///< index into Case::materials
+  SizeDistribution size;                    ///< of the real grains
+  double coarse_graining = 1.0;             ///< alpha = parcel diameter / grain diameter, >= 1
   std::optional<double> simulated_modulus;  ///< Pa; softening: replaces Young's modulus of its material
-  Keep keep = Keep::pull_off;             ///< which cohesion the softened powder preserves
+  Keep keep = Keep::pull_off;               ///< which cohesion the softened powder preserves
 };
 
 /// Names of the contact law's parts and its named choices. Text is as in the catalogue of laws.
 struct ContactChoice {
-  std::string normal = "hertz";              ///< hertz | jkr
-  std::string damping = "restitution";       ///< restitution (Tsuji) | none
-  std::string sliding = "total_spring";      ///< total_spring | none
-  std::string rolling = "none";              ///< elastic_plastic (EPSD2) | none
-  std::string friction_limit = "elastic";    ///< elastic | total
-  std::string damping_radius = "hertz";      ///< hertz | jkr_radius
+  std::string normal = "hertz";            ///< hertz | jkr
+  std::string damping = "restitution";     ///< restitution (Tsuji) | none
+  std::string sliding = "total_spring";    ///< total_spring | none
+  std::string rolling = "none";            ///< elastic_plastic (EPSD2) | none
+  std::string friction_limit = "elastic";  ///< elastic | total
+  std::string damping_radius = "hertz";    ///< hertz | jkr_radius
 };
 
 /// A wall: a plane, a box with some faces open, or a cylinder with some ends open.
@@ -74,10 +74,10 @@ struct Wall {
   enum class Shape { plane, box, cylinder };
   std::string name;
   Shape shape = Shape::plane;
-  std::size_t material = 0;  ///< index into Case::materials
-  Vec3 point, normal{0, 0, 1};      ///< m, unit vector; plane
-  Region region;                    ///< box or cylinder
-  std::vector<std::string> open;    ///< box: any of -x +x -y +y -z +z; cylinder: any of base, top
+  std::size_t material = 0;           ///< index into Case::materials
+  Vec3 point, normal{0, 0, 1};        ///< m, unit vector; plane
+  Region region;                      ///< box or cylinder
+  std::vector<std::string> open;      ///< box: any of -x +x -y +y -z +z; cylinder: any of base, top
   std::optional<std::size_t> motion;  ///< index into Case::motions; none: at rest
 };
 
@@ -118,32 +118,33 @@ struct Phase {
   std::vector<std::size_t> sources;  ///< indices into Case::sources that are open in this phase
   std::vector<std::size_t> motions;  ///< indices into Case::motions that run in this phase
   Until until = Until::time;
-  double duration = 0.0;        ///< s; until = time
-  double mass = 0.0;            ///< kg in the measured region; until = mass
-  double cycles = 0.0;          ///< -; until = cycles, of the first motion
-  std::optional<double> kinetic_energy;  ///< translational, J per parcel; until = rest; default: 1e-3 of m g d of the d50 parcel
-  double at_least = 0.0;        ///< s; the criterion is not asked before
-  double time_limit = 0.0;      ///< s; required unless until is time or cycles
+  double duration = 0.0;                 ///< s; until = time
+  double mass = 0.0;                     ///< kg in the measured region; until = mass
+  double cycles = 0.0;                   ///< -; until = cycles, of the first motion
+  std::optional<double> kinetic_energy;  ///< translational, J per parcel; until = rest; default: 1e-3 of m g
+                                         ///< d of the d50 parcel
+  double at_least = 0.0;                 ///< s; the criterion is not asked before
+  double time_limit = 0.0;               ///< s; required unless until is time or cycles
   bool limit_is_error = false;  ///< reaching the limit stops the run (exit 5) instead of ending the phase
 };
 
 struct Domain {
-  Vec3 min, max;                   ///< m
+  Vec3 min, max;  ///< m
   bool periodic[3] = {false, false, false};
-  bool escape_is_error = true;     ///< a parcel that leaves the domain or passes a wall stops the run
+  bool escape_is_error = true;  ///< a parcel that leaves the domain or passes a wall stops the run
 };
 
 struct TimeChoice {
-  double fraction = 0.2;                        ///< of the smallest limit
-  std::optional<double> step;                   ///< s; fixed by the case
-  std::optional<double> characteristic_speed;   ///< m/s, for the Hertz limit; default: estimated from the case
+  double fraction = 0.2;                       ///< of the smallest limit
+  std::optional<double> step;                  ///< s; fixed by the case
+  std::optional<double> characteristic_speed;  ///< m/s, for the Hertz limit; default: estimated from the case
 };
 
 struct MeasureChoice {
-  std::optional<std::size_t> die;   ///< index into Case::walls: the box or cylinder whose inside is measured
-  std::optional<Region> region;     ///< instead of a die
-  double cell_diameters = 3.0;      ///< edge of a porosity cell in mean parcel diameters
-  double column_diameters = 2.0;    ///< edge of a free-surface column in mean parcel diameters
+  std::optional<std::size_t> die;  ///< index into Case::walls: the box or cylinder whose inside is measured
+  std::optional<Region> region;    ///< instead of a die
+  double cell_diameters = 3.0;     ///< edge of a porosity cell in mean parcel diameters
+  double column_diameters = 2.0;   ///< edge of a free-surface column in mean parcel diameters
 };
 
 struct OutputChoice {
@@ -154,8 +155,8 @@ struct OutputChoice {
 
 struct Case {
   std::string title;
-  std::string file;     ///< as given
-  std::string text;     ///< the file's text, for the run folder
+  std::string file;           ///< as given
+  std::string text;           ///< the file's text, for the run folder
   Vec3 gravity{0, 0, -9.81};  ///< m/s^2
   Domain domain;
   Mixing mixing = Mixing::geometric_mean;

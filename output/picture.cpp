@@ -88,7 +88,8 @@ void draw_colour_bar(Image& image, Typeface& typeface, const Layout& layout, con
   const double step = round_down(range / 4.0);
   for (double number = std::ceil(bar.minimum / step - 1e-9); number * step <= bar.maximum + 1e-9 * range;
        ++number)
-    tick(number * step + 0.0, bottom - (number * step - bar.minimum) / range * place.height);  // + 0: never "-0"
+    tick(number * step + 0.0,
+         bottom - (number * step - bar.minimum) / range * place.height);  // + 0: never "-0"
 }
 
 }  // namespace

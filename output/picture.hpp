@@ -35,10 +35,10 @@ struct PictureRequest {
   SurfaceMesh walls;  ///< seen through where they stand in front
   std::optional<CutPlane> cut;
   std::optional<ColourBar> colour_bar;
-  std::string title, caption;       ///< above and below; UTF-8, either may be empty
-  Vec3 up{0.0, 0.0, 1.0};           ///< against gravity
+  std::string title, caption;      ///< above and below; UTF-8, either may be empty
+  Vec3 up{0.0, 0.0, 1.0};          ///< against gravity
   int width = 1200, height = 900;  ///< pixels, at least 400 x 300
-  int threads = 0;                  ///< 0: all there are
+  int threads = 0;                 ///< 0: all there are
 };
 
 /// Draws the scene from obliquely above, looking into the cut (without one along +y), in parallel projection

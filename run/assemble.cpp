@@ -25,9 +25,10 @@ std::string in_mm(double metres) { return format_quantity(metres, dimension::len
 void check_coarse_graining(const Case& c) {
   for (const Powder& p : c.powders)
     if (p.coarse_graining != c.powders.front().coarse_graining)
-      fail(c, fmt::format("powders {} and {} have different coarse_graining ({:g} and {:g}); contacts between "
-                          "them would have no similarity\n  give all powders of a case the same factor",
-                          c.powders.front().name, p.name, c.powders.front().coarse_graining, p.coarse_graining));
+      fail(c,
+           fmt::format("powders {} and {} have different coarse_graining ({:g} and {:g}); contacts between "
+                       "them would have no similarity\n  give all powders of a case the same factor",
+                       c.powders.front().name, p.name, c.powders.front().coarse_graining, p.coarse_graining));
 }
 
 ContactClasses contact_classes(const Case& c, const std::vector<Species>& species,
@@ -71,9 +72,15 @@ void add_walls(const Case& c, const std::vector<Species>& species, double larges
     body.motion = wall.motion;
     std::vector<Surface> surfaces;
     switch (wall.shape) {
-      case Wall::Shape::plane: surfaces = {plane_surface(wall.name, wall.point, wall.normal)}; break;
-      case Wall::Shape::box: surfaces = box_surfaces(wall.name, wall.region, wall.open); break;
-      case Wall::Shape::cylinder: surfaces = cylinder_surfaces(wall.name, wall.region, wall.open); break;
+      case Wall::Shape::plane:
+        surfaces = {plane_surface(wall.name, wall.point, wall.normal)};
+        break;
+      case Wall::Shape::box:
+        surfaces = box_surfaces(wall.name, wall.region, wall.open);
+        break;
+      case Wall::Shape::cylinder:
+        surfaces = cylinder_surfaces(wall.name, wall.region, wall.open);
+        break;
     }
     for (Surface& s : surfaces) {
       s.body = static_cast<std::uint32_t>(model.bodies.size());
@@ -95,18 +102,20 @@ void check_region(const Case& c, const Source& source, const SizeSampler& sizes)
                                ? std::min(2.0 * r.radius, r.height)
                                : std::min({r.max.x - r.min.x, r.max.y - r.min.y, r.max.z - r.min.z});
   if (narrowest < sizes.largest())
-    fail(c, fmt::format("sources.{}.region is {} thin and cannot hold the largest parcel ({})\n  enlarge the region "
-                        "or lower coarse_graining",
-                        source.name, in_mm(narrowest), in_mm(sizes.largest())));
+    fail(c, fmt::format(
+                "sources.{}.region is {} thin and cannot hold the largest parcel ({})\n  enlarge the region "
+                "or lower coarse_graining",
+                source.name, in_mm(narrowest), in_mm(sizes.largest())));
   if (source.kind != Source::Kind::pack) return;
   const double parcels = expected_parcels(c, source);
   const double solid = parcels * sphere_volume(0.5) * sizes.mean_cube() / volume_of(r);
   if (solid > densest_random_pack)
-    fail(c, fmt::format("sources.{} asks for {:.0f} parcels, {:.0f} % of its region; a random pack without overlap "
-                        "holds at most about {:.0f} % ({:.0f} parcels)\n  ask for less, enlarge the region, or let "
-                        "it rain",
-                        source.name, parcels, 100 * solid, 100 * densest_random_pack,
-                        parcels * densest_random_pack / solid));
+    fail(c, fmt::format(
+                "sources.{} asks for {:.0f} parcels, {:.0f} % of its region; a random pack without overlap "
+                "holds at most about {:.0f} % ({:.0f} parcels)\n  ask for less, enlarge the region, or let "
+                "it rain",
+                source.name, parcels, 100 * solid, 100 * densest_random_pack,
+                parcels * densest_random_pack / solid));
 }
 
 /// The parcels of each source that is a bed in a file.
@@ -121,8 +130,8 @@ std::vector<std::vector<Parcel>> read_beds(const Case& c, const Box& domain) {
   return beds;
 }
 
-/// Radius of the smallest parcel of each powder, m, by species: a bed may have smaller ones than the case says,
-/// and the time step must hold for them too.
+/// Radius of the smallest parcel of each powder, m, by species: a bed may have smaller ones than the case
+/// says, and the time step must hold for them too.
 std::vector<double> smallest_radii(const Case& c, const std::vector<Species>& species,
                                    const std::vector<std::vector<Parcel>>& beds) {
   std::vector<double> smallest(species.size(), 0.0);
@@ -146,8 +155,12 @@ SourceModel source_model(const Case& c, const Source& source, std::vector<Parcel
   m.target_count = source.target.count;
   m.target_mass = source.target.mass;
   switch (source.kind) {
-    case Source::Kind::pack: m.kind = SourceModel::Kind::pack; break;
-    case Source::Kind::rain: m.kind = SourceModel::Kind::rain; break;
+    case Source::Kind::pack:
+      m.kind = SourceModel::Kind::pack;
+      break;
+    case Source::Kind::rain:
+      m.kind = SourceModel::Kind::rain;
+      break;
     case Source::Kind::file:
       m.kind = SourceModel::Kind::list;
       m.list = std::move(bed);
@@ -192,9 +205,10 @@ Assembly assemble(const Case& c) {
   }
   for (int axis = 0; axis < 3; ++axis)
     if (m.domain.periodic[axis] && m.domain.extent()[axis] < 6.0 * m.largest_radius)
-      fail(c, fmt::format("the periodic domain is narrower than three parcels ({}) along {}\n  enlarge it or lower "
-                          "coarse_graining",
-                          in_mm(2.0 * m.largest_radius), "xyz"[axis]));
+      fail(c, fmt::format(
+                  "the periodic domain is narrower than three parcels ({}) along {}\n  enlarge it or lower "
+                  "coarse_graining",
+                  in_mm(2.0 * m.largest_radius), "xyz"[axis]));
   for (const Motion& motion : c.motions)
     m.motions.push_back({motion.amplitude, motion.frequency, motion.phase, motion.direction});
   m.classes = contact_classes(c, a.species, a.pairs);
@@ -208,9 +222,10 @@ Assembly assemble(const Case& c) {
   }
   for (const SineMotion& motion : m.motions)
     if (motion.peak_speed() * m.dt > 0.05 * m.smallest_radius)
-      fail(c, fmt::format("a wall moves {} in one time step, more than 5 % of the smallest radius ({})\n  lower the "
-                          "motion's amplitude or frequency, or time.fraction",
-                          in_mm(motion.peak_speed() * m.dt), in_mm(m.smallest_radius)));
+      fail(c, fmt::format(
+                  "a wall moves {} in one time step, more than 5 % of the smallest radius ({})\n  lower the "
+                  "motion's amplitude or frequency, or time.fraction",
+                  in_mm(motion.peak_speed() * m.dt), in_mm(m.smallest_radius)));
   return a;
 }
 

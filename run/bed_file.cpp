@@ -21,7 +21,8 @@ class DumpReader {
  public:
   DumpReader(const std::string& path) : path_(path), file_(path) {
     if (!file_)
-      throw Failure(Exit::bad_input, fmt::format("cannot read {}\n  check the path in the source's `path`", path));
+      throw Failure(Exit::bad_input,
+                    fmt::format("cannot read {}\n  check the path in the source's `path`", path));
   }
 
   struct Row {
@@ -129,7 +130,8 @@ class DumpReader {
 
 }  // namespace
 
-std::vector<Parcel> read_bed(const std::string& path, double density, std::uint32_t species, const Box& domain) {
+std::vector<Parcel> read_bed(const std::string& path, double density, std::uint32_t species,
+                             const Box& domain) {
   auto rows = DumpReader(path).last_frame();
   std::sort(rows.begin(), rows.end(), [](const auto& a, const auto& b) { return a.id < b.id; });
   std::vector<Parcel> list;
@@ -139,10 +141,11 @@ std::vector<Parcel> read_bed(const std::string& path, double density, std::uint3
     Parcel p = rows[k].parcel;
     for (int axis = 0; axis < 3; ++axis)
       if (p.position[axis] < domain.min[axis] || p.position[axis] > domain.max[axis])
-        throw Failure(Exit::bad_input,
-                      fmt::format("{}: error: parcel {} lies outside the case's domain at ({:g}, {:g}, {:g}) m\n  "
-                                  "enlarge [domain]; dumps must be in SI units",
-                                  path, rows[k].id, p.position.x, p.position.y, p.position.z));
+        throw Failure(
+            Exit::bad_input,
+            fmt::format("{}: error: parcel {} lies outside the case's domain at ({:g}, {:g}, {:g}) m\n  "
+                        "enlarge [domain]; dumps must be in SI units",
+                        path, rows[k].id, p.position.x, p.position.y, p.position.z));
     p.mass = density * sphere_volume(p.radius);
     p.species = species;
     list.push_back(p);

@@ -9,9 +9,10 @@
 namespace pulvis {
 
 /// Reads the last frame of a LIGGGHTS or LAMMPS text dump (`ITEM: ...`) as parcels of one species, in order
-/// of the dump's ids. Needs the columns id x y z radius (or diameter); takes vx vy vz and omegax omegay omegaz
-/// if there; SI units. Throws Failure(bad_input) with file, line and remedy for a file that is missing,
-/// truncated, not such a dump, or has parcels outside the domain.
-std::vector<Parcel> read_bed(const std::string& path, double density, std::uint32_t species, const Box& domain);
+/// of the dump's ids. Needs the columns id x y z radius (or diameter); takes vx vy vz and omegax omegay
+/// omegaz if there; SI units. Throws Failure(bad_input) with file, line and remedy for a file that is
+/// missing, truncated, not such a dump, or has parcels outside the domain.
+std::vector<Parcel> read_bed(const std::string& path, double density, std::uint32_t species,
+                             const Box& domain);
 
 }  // namespace pulvis

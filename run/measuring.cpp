@@ -57,7 +57,8 @@ Sight look_at(const Simulation& simulation) {
 
 std::optional<measures::Container> measured_container(const Case& c, const Simulation& simulation) {
   if (c.measures.die)
-    return container_of(c.walls[*c.measures.die].region, simulation.body_displacement(*c.measures.die), c.gravity);
+    return container_of(c.walls[*c.measures.die].region, simulation.body_displacement(*c.measures.die),
+                        c.gravity);
   if (c.measures.region) return container_of(*c.measures.region, {}, c.gravity);
   return {};
 }
@@ -74,8 +75,9 @@ Measurement measure(const Case& c, const Simulation& simulation) {
     const auto surface =
         measures::free_surface(sight.spheres, sight.contacts, *die, c.measures.column_diameters * diameter);
     const Box& domain = simulation.model().domain;
-    const auto solid = measures::with_periodic_images(
-        sight.spheres, {domain.min, domain.max}, {domain.periodic[0], domain.periodic[1], domain.periodic[2]});
+    const auto solid =
+        measures::with_periodic_images(sight.spheres, {domain.min, domain.max},
+                                       {domain.periodic[0], domain.periodic[1], domain.periodic[2]});
     m.porosity = measures::porosity(solid, surface, *die, c.measures.cell_diameters * diameter);
     const auto fill = measures::fill_inside(sight.spheres, sight.masses, *die);
     const auto coordination =

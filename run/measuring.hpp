@@ -26,9 +26,9 @@ struct Sight {
   std::vector<measures::Sphere> spheres;
   std::vector<double> masses;
   std::vector<measures::Body> bodies;
-  std::vector<std::uint32_t> index;            ///< place in the store
-  std::vector<measures::Contact> contacts;     ///< of parcels, stretched ones included
-  std::vector<std::uint32_t> wall_contacts;    ///< the sphere, once for each wall it touches
+  std::vector<std::uint32_t> index;          ///< place in the store
+  std::vector<measures::Contact> contacts;   ///< of parcels, stretched ones included
+  std::vector<std::uint32_t> wall_contacts;  ///< the sphere, once for each wall it touches
 };
 Sight look_at(const Simulation& simulation);
 

@@ -79,25 +79,29 @@ PairForecast forecast_pair(const Case& c, const Assembly& a, const PairPropertie
                                : laws::hertz_overlap_under(force, parcel.radius, e)) /
                       parcel.own_radius;
   f.impact_overlap =
-      laws::hertz_largest_overlap(parcel.mass, parcel.radius, e, a.time_step.characteristic_speed) / parcel.own_radius;
+      laws::hertz_largest_overlap(parcel.mass, parcel.radius, e, a.time_step.characteristic_speed) /
+      parcel.own_radius;
   return f;
 }
 
 void add_warnings(const Case& c, const Assembly& a, Forecast& f) {
   for (const PairForecast& p : f.pairs) {
     if (p.resting_overlap > most_resting_overlap)
-      f.warnings.push_back(fmt::format("{} / {}: expected overlap at rest is {:.2f} % of the radius (above 1 %): raise "
-                                       "simulated_modulus",
-                                       p.first, p.second, 100 * p.resting_overlap));
+      f.warnings.push_back(
+          fmt::format("{} / {}: expected overlap at rest is {:.2f} % of the radius (above 1 %): raise "
+                      "simulated_modulus",
+                      p.first, p.second, 100 * p.resting_overlap));
     if (p.impact_overlap > most_impact_overlap)
-      f.warnings.push_back(fmt::format("{} / {}: impacts at {:.3g} m/s overlap by {:.1f} % of the radius (above 5 %): "
-                                       "raise simulated_modulus",
-                                       p.first, p.second, a.time_step.characteristic_speed, 100 * p.impact_overlap));
+      f.warnings.push_back(
+          fmt::format("{} / {}: impacts at {:.3g} m/s overlap by {:.1f} % of the radius (above 5 %): "
+                      "raise simulated_modulus",
+                      p.first, p.second, a.time_step.characteristic_speed, 100 * p.impact_overlap));
   }
   for (const PairProperties& p : a.pairs) {
     if (p.real.work_of_adhesion == 0.0 || c.contact.normal == "jkr") continue;
-    f.warnings.push_back(fmt::format("{} / {} has surface energy, but contact.normal = \"{}\" knows no adhesion",
-                                     a.species[p.first].name, a.species[p.second].name, c.contact.normal));
+    f.warnings.push_back(
+        fmt::format("{} / {} has surface energy, but contact.normal = \"{}\" knows no adhesion",
+                    a.species[p.first].name, a.species[p.second].name, c.contact.normal));
   }
   bool adheres = false;
   for (const PairForecast& p : f.pairs) adheres = adheres || p.pull_off > 0.0;
@@ -115,13 +119,15 @@ std::string powder_lines(const Case& c) {
   for (const Powder& p : c.powders) {
     const SizeSampler grains(grain_sizes(p)), parcels(parcel_sizes(p));
     const Material& m = c.materials[p.material];
-    text += fmt::format("powder {}: {}, grain d50 {}, coarse graining {:g} (stress similarity), parcel d50 {} ({} to {})\n",
-                        p.name, m.name, format_quantity(grains.median_by_mass(), dimension::length), p.coarse_graining,
-                        format_quantity(parcels.median_by_mass(), dimension::length),
-                        format_quantity(parcels.smallest(), dimension::length),
-                        format_quantity(parcels.largest(), dimension::length));
+    text += fmt::format(
+        "powder {}: {}, grain d50 {}, coarse graining {:g} (stress similarity), parcel d50 {} ({} to {})\n",
+        p.name, m.name, format_quantity(grains.median_by_mass(), dimension::length), p.coarse_graining,
+        format_quantity(parcels.median_by_mass(), dimension::length),
+        format_quantity(parcels.smallest(), dimension::length),
+        format_quantity(parcels.largest(), dimension::length));
     if (p.simulated_modulus)
-      text += fmt::format("  softened from {} to {}, keeping the {}\n", format_quantity(m.young_modulus, dimension::pressure),
+      text += fmt::format("  softened from {} to {}, keeping the {}\n",
+                          format_quantity(m.young_modulus, dimension::pressure),
                           format_quantity(*p.simulated_modulus, dimension::pressure),
                           p.keep == Powder::Keep::pull_off ? "pull-off force" : "sticking speed");
   }
@@ -157,24 +163,26 @@ std::string check_report(const Case& c, const Assembly& a, const Forecast& f) {
   std::string text = fmt::format("{}{}\n", c.file, c.title.empty() ? "" : ": " + c.title) + powder_lines(c);
   const StepLimit& binding = a.time_step.limits.front();
   text += fmt::format("time step {}: {:.3g} of the smallest limit, {} of {} ({})\n",
-                      format_quantity(a.time_step.step, dimension::time), a.time_step.step / binding.time, binding.kind,
-                      binding.of, format_quantity(binding.time, dimension::time));
+                      format_quantity(a.time_step.step, dimension::time), a.time_step.step / binding.time,
+                      binding.kind, binding.of, format_quantity(binding.time, dimension::time));
   for (const StepLimit& l : a.time_step.limits)
     text += fmt::format("  {:<20} {:<40} {}\n", l.kind, l.of, format_quantity(l.time, dimension::time));
-  text += fmt::format("characteristic speed {}\n", format_quantity(a.time_step.characteristic_speed, dimension::speed));
+  text += fmt::format("characteristic speed {}\n",
+                      format_quantity(a.time_step.characteristic_speed, dimension::speed));
   text += fmt::format("parcels {:.0f}, memory about {:.0f} MB, pressure under the bed about {}\n", f.parcels,
                       std::ceil(f.memory / 1e6), format_quantity(f.bed_stress, dimension::pressure));
   for (std::size_t k = 0; k < c.motions.size(); ++k) {
-    const double peak = c.motions[k].amplitude * square(2.0 * 3.14159265358979323846 * c.motions[k].frequency);
+    const double peak =
+        c.motions[k].amplitude * square(2.0 * 3.14159265358979323846 * c.motions[k].frequency);
     text += fmt::format("motion {}: amplitude {}, {}, peak acceleration {} ({:.3g} g)\n", c.motions[k].name,
                         format_quantity(c.motions[k].amplitude, dimension::length),
                         format_quantity(c.motions[k].frequency, dimension::frequency),
                         format_quantity(peak, dimension::acceleration), peak / 9.80665);
   }
-  text += fmt::format("\n{:<34} {:>12} {:>12} {:>10} {:>10} {:>12} {:>12} {:>9} {:>9}\n", "pair (d50)", "pull-off", "pull-off",
-                      "Bond", "Bond", "sticking", "sticking", "overlap", "overlap");
-  text += fmt::format("{:<34} {:>12} {:>12} {:>10} {:>10} {:>12} {:>12} {:>9} {:>9}\n", "", "real grain", "simulated",
-                      "real", "simulated", "speed real", "simulated", "at rest", "impact");
+  text += fmt::format("\n{:<34} {:>12} {:>12} {:>10} {:>10} {:>12} {:>12} {:>9} {:>9}\n", "pair (d50)",
+                      "pull-off", "pull-off", "Bond", "Bond", "sticking", "sticking", "overlap", "overlap");
+  text += fmt::format("{:<34} {:>12} {:>12} {:>10} {:>10} {:>12} {:>12} {:>9} {:>9}\n", "", "real grain",
+                      "simulated", "real", "simulated", "speed real", "simulated", "at rest", "impact");
   for (const PairForecast& p : f.pairs)
     text += fmt::format("{:<34} {:>12} {:>12} {:>10} {:>10} {:>12} {:>12} {:>8.3f}% {:>8.2f}%\n",
                         p.first + " / " + p.second, force_text(p.pull_off_real), force_text(p.pull_off),

@@ -12,17 +12,17 @@ namespace pulvis {
 /// `pulvis check` are the real powder's.
 struct PairForecast {
   std::string first, second;
-  double pull_off_real = 0.0, pull_off = 0.0;              ///< N: grain with real modulus; parcel as simulated
-  double bond_real = 0.0, bond = 0.0;                      ///< pull-off over weight of the d50 grain; parcel
+  double pull_off_real = 0.0, pull_off = 0.0;  ///< N: grain with real modulus; parcel as simulated
+  double bond_real = 0.0, bond = 0.0;          ///< pull-off over weight of the d50 grain; parcel
   double sticking_speed_real = 0.0, sticking_speed = 0.0;  ///< m/s
   double resting_overlap = 0.0;  ///< over the radius, under the bed's weight and its own adhesion
   double impact_overlap = 0.0;   ///< over the radius, at the characteristic speed
 };
 
 struct Forecast {
-  double parcels = 0.0;      ///< expected
-  double memory = 0.0;       ///< bytes, expected
-  double bed_stress = 0.0;   ///< Pa: weight of the bed over its base, rough
+  double parcels = 0.0;     ///< expected
+  double memory = 0.0;      ///< bytes, expected
+  double bed_stress = 0.0;  ///< Pa: weight of the bed over its base, rough
   std::vector<PairForecast> pairs;
   std::vector<std::string> warnings;
 };

@@ -94,18 +94,24 @@ std::optional<std::string> Procedure::ended() const {
   const Phase& p = phase();
   if (criterion_met(p)) {
     switch (p.until) {
-      case Phase::Until::time: return "time";
-      case Phase::Until::inserted: return "inserted";
-      case Phase::Until::mass: return "mass";
-      case Phase::Until::cycles: return "cycles";
-      case Phase::Until::rest: return "rest";
+      case Phase::Until::time:
+        return "time";
+      case Phase::Until::inserted:
+        return "inserted";
+      case Phase::Until::mass:
+        return "mass";
+      case Phase::Until::cycles:
+        return "cycles";
+      case Phase::Until::rest:
+        return "rest";
     }
   }
   if (p.time_limit <= 0.0 || steps_in_phase() < steps_for(p.time_limit, simulation_.model().dt)) return {};
   if (p.limit_is_error)
-    throw Failure(Exit::physics, fmt::format("phase {} reached its time limit of {:g} s before its end\n  raise "
-                                             "time_limit, or set at_limit = \"end\" to go on",
-                                             p.name, p.time_limit));
+    throw Failure(Exit::physics,
+                  fmt::format("phase {} reached its time limit of {:g} s before its end\n  raise "
+                              "time_limit, or set at_limit = \"end\" to go on",
+                              p.name, p.time_limit));
   return "time_limit";
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "output/picture.hpp"
@@ -17,10 +18,14 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-const std::vector<std::string> result_files = {
-    "case.toml",  "run.json",   "result.json",   "log.csv",          "picture*.png",
-    "parcels.pvd", "walls.pvd", "porosity.pvd", "frames/parcels-*.vtp", "frames/walls-*.vtp",
-    "frames/porosity-*.vti"};
+constexpr std::size_t reserved_bytes = 1 << 16;
+
+const std::vector<std::string> result_files = {"case.toml",          "run.json",
+                                               "result.json",        "log.csv",
+                                               "picture*.png",       ".reserve",
+                                               "parcels.pvd",        "walls.pvd",
+                                               "porosity.pvd",       "frames/parcels-*.vtp",
+                                               "frames/walls-*.vtp", "frames/porosity-*.vti"};
 
 /// Largest overlap of a pair over the smaller radius.
 double overlap_ratio(const Simulation& simulation) {
@@ -81,6 +86,8 @@ Results::Results(const Case& c, const Assembly& assembly, const std::string& fol
       parcels_(folder_.file("parcels.pvd")),
       walls_(folder_.file("walls.pvd")),
       porosity_(folder_.file("porosity.pvd")) {
+  // Given back before result.json is written, so that a full disk still has room for what went wrong.
+  write_file_safely(folder_.file(".reserve"), std::string(reserved_bytes, ' '));
   log_ = std::make_unique<CsvLog>(
       folder_.file("log.csv"),
       std::vector<std::string>{"step", "time_s", "phase", "parcels", "pair_contacts", "wall_contacts",
@@ -96,13 +103,14 @@ void Results::write_case(const std::vector<Override>& overrides) {
   Json limits = Json::array();
   for (const StepLimit& l : assembly_.time_step.limits)
     limits.push_back({{"kind", l.kind}, {"of", l.of}, {"time_s", l.time}});
-  write_json(folder_.file("run.json"), {{"version", PULVIS_VERSION},
-                                        {"case", case_.file},
-                                        {"title", case_.title},
-                                        {"time_step_s", assembly_.time_step.step},
-                                        {"time_step_limits", limits},
-                                        {"characteristic_speed_m_s", assembly_.time_step.characteristic_speed},
-                                        {"keys", keys}});
+  write_json(folder_.file("run.json"),
+             {{"version", PULVIS_VERSION},
+              {"case", case_.file},
+              {"title", case_.title},
+              {"time_step_s", assembly_.time_step.step},
+              {"time_step_limits", limits},
+              {"characteristic_speed_m_s", assembly_.time_step.characteristic_speed},
+              {"keys", keys}});
 }
 
 void Results::log(const Simulation& simulation, const std::string& phase) {
@@ -160,8 +168,9 @@ void Results::frame(const Simulation& simulation, const std::optional<measures::
   write_points_vtp(folder_.file(file("parcels", "vtp")), centres, fields, time);
   parcels_.add(time, file("parcels", "vtp"));
 
-  const WallMesh walls = mesh_of_walls(simulation.model().surfaces, simulation.model().domain,
-                                       [&](std::uint32_t body) { return simulation.body_displacement(body); });
+  const WallMesh walls =
+      mesh_of_walls(simulation.model().surfaces, simulation.model().domain,
+                    [&](std::uint32_t body) { return simulation.body_displacement(body); });
   const std::vector<Field> wall_fields = {{"body", std::span<const std::uint32_t>(walls.body)},
                                           {"surface", std::span<const std::uint32_t>(walls.surface)}};
   write_surface_vtp(folder_.file(file("walls", "vtp")), walls.mesh, wall_fields, time);
@@ -187,9 +196,10 @@ void Results::picture(const Simulation& simulation, const std::string& name, con
   for (std::size_t k = 0; k < sight.spheres.size(); ++k)
     request.spheres.push_back({sight.spheres[k].centre, sight.spheres[k].radius,
                                static_cast<float>(std::min(1.0, contacts[k] / most_contacts))});
-  request.walls = mesh_of_walls(simulation.model().surfaces, simulation.model().domain, [&](std::uint32_t body) {
-                    return simulation.body_displacement(body);
-                  }).mesh;
+  request.walls =
+      mesh_of_walls(simulation.model().surfaces, simulation.model().domain, [&](std::uint32_t body) {
+        return simulation.body_displacement(body);
+      }).mesh;
   if (const auto die = measured_container(case_, simulation)) {
     const bool box = die->shape == measures::Container::Shape::box;
     const Vec3 middle = box ? 0.5 * (die->min + die->max) : die->base + (0.5 * die->height) * die->axis;
@@ -203,7 +213,7 @@ void Results::picture(const Simulation& simulation, const std::string& name, con
   write_picture(folder_.file(name + ".png"), request);
 }
 
-void Results::write_result(const RunSummary& summary, const Simulation* simulation) {
+void Results::write_result(const RunSummary& summary, const Simulation* simulation, bool ended) {
   Json json = {{"exit", static_cast<int>(summary.exit)},
                {"exit_reason", summary.reason},
                {"title", case_.title},
@@ -222,9 +232,11 @@ void Results::write_result(const RunSummary& summary, const Simulation* simulati
     json["list_rebuilds"] = simulation->rebuilds();
     json["instruction_set"] = kernels::name_of(kernels::instruction_set());
     json["particles"] = state.parcels.size();
-    json["time_table_s"] = {{"steps", summary.stepping_time}, {"measures_files_pictures", summary.looking_time}};
-    json["particle_steps_per_s"] =
-        summary.stepping_time > 0.0 ? static_cast<double>(summary.particle_steps) / summary.stepping_time : 0.0;
+    json["time_table_s"] = {{"steps", summary.stepping_time},
+                            {"measures_files_pictures", summary.looking_time}};
+    json["particle_steps_per_s"] = summary.stepping_time > 0.0
+                                       ? static_cast<double>(summary.particle_steps) / summary.stepping_time
+                                       : 0.0;
     json["largest_overlap_over_radius"] = largest_overlap_;
     json["state_hash"] = state_hash(state);
     json["ledger"] = {{"inserted", ledger.inserted},
@@ -247,6 +259,7 @@ void Results::write_result(const RunSummary& summary, const Simulation* simulati
   json["phases"] = phases;
   json["measures"] = summary.phases.empty() ? Json::object() : to_json(summary.phases.back().measures);
   json["warnings"] = summary.warnings;
+  if (ended) std::remove(folder_.file(".reserve").c_str());
   write_json(folder_.file("result.json"), json);
 }
 

@@ -28,9 +28,9 @@ struct PhaseRecord {
 struct RunSummary {
   Exit exit = Exit::ok;
   std::string reason;
-  double wall_time = 0.0;         ///< s
-  double stepping_time = 0.0;     ///< s of it in time steps
-  double looking_time = 0.0;      ///< s of it in measures, files and pictures
+  double wall_time = 0.0;      ///< s
+  double stepping_time = 0.0;  ///< s of it in time steps
+  double looking_time = 0.0;   ///< s of it in measures, files and pictures
   std::uint64_t particle_steps = 0;
   std::vector<PhaseRecord> phases;
   std::vector<std::string> warnings;
@@ -51,8 +51,9 @@ class Results {
   void frame(const Simulation& simulation, const std::optional<measures::PorosityField>& porosity);
   /// The die cut open, seen from obliquely above; `name` without ending.
   void picture(const Simulation& simulation, const std::string& name, const std::string& caption);
-  /// result.json. `simulation` may be null if the run failed before it began.
-  void write_result(const RunSummary& summary, const Simulation* simulation);
+  /// result.json. `simulation` may be null if the run failed before it began. `ended`: the run is over, now
+  /// is the time to use the room kept for this.
+  void write_result(const RunSummary& summary, const Simulation* simulation, bool ended = true);
 
   double largest_overlap() const { return largest_overlap_; }  ///< over the radius, of all looks so far
 

@@ -42,14 +42,17 @@ class Runner {
  private:
   /// Steps between looks that are `interval` seconds apart; 0: never.
   std::uint64_t every(double interval) const {
-    return interval > 0.0 ? static_cast<std::uint64_t>(std::max(1.0, std::round(interval / simulation_.model().dt))) : 0;
+    return interval > 0.0
+               ? static_cast<std::uint64_t>(std::max(1.0, std::round(interval / simulation_.model().dt)))
+               : 0;
   }
   static double log_interval(const Case& c) {
     if (c.output.log_interval > 0.0) return c.output.log_interval;
     double longest = 0.0;
     for (const Phase& p : c.phases) {
       double length = std::max(p.duration, p.time_limit);
-      if (p.until == Phase::Until::cycles) length = std::max(length, p.cycles / c.motions[p.motions.front()].frequency);
+      if (p.until == Phase::Until::cycles)
+        length = std::max(length, p.cycles / c.motions[p.motions.front()].frequency);
       longest = std::max(longest, length);
     }
     return longest / 100.0;
@@ -76,11 +79,12 @@ void Runner::check_escapes() const {
   const auto& escapes = simulation_.state().escapes;
   if (escapes.empty() || !case_.domain.escape_is_error) return;
   const Escape& e = escapes.back();
-  throw Failure(Exit::physics,
-                fmt::format("parcel {} escaped through {} at t = {:.6g} s, position ({:.5g}, {:.5g}, {:.5g}) m, speed "
-                            "{:.4g} m/s\n  if parcels may be lost, set domain.escape = \"count\"; else close the "
-                            "walls, enlarge [domain] or lower time.fraction",
-                            e.id, e.through, e.time, e.position.x, e.position.y, e.position.z, norm(e.velocity)));
+  throw Failure(
+      Exit::physics,
+      fmt::format("parcel {} escaped through {} at t = {:.6g} s, position ({:.5g}, {:.5g}, {:.5g}) m, speed "
+                  "{:.4g} m/s\n  if parcels may be lost, set domain.escape = \"count\"; else close the "
+                  "walls, enlarge [domain] or lower time.fraction",
+                  e.id, e.through, e.time, e.position.x, e.position.y, e.position.z, norm(e.velocity)));
 }
 
 void Runner::look(bool phase_ends, const std::string& phase) {
@@ -99,14 +103,14 @@ void Runner::close_phase(const std::string& ended_by, RunSummary& summary) {
   for (const std::size_t s : phase.sources) {
     const SourceState& source = simulation_.state().sources[s];
     if (source.done || (phase.until != Phase::Until::inserted && phase.until != Phase::Until::mass)) continue;
-    warn(summary, fmt::format("source {} had given {} parcels ({}) when phase {} ended by {}",
-                                           case_.sources[s].name, source.count,
-                                           format_quantity(source.mass, dimension::mass), phase.name, ended_by));
+    warn(summary,
+         fmt::format("source {} had given {} parcels ({}) when phase {} ended by {}", case_.sources[s].name,
+                     source.count, format_quantity(source.mass, dimension::mass), phase.name, ended_by));
   }
   if (case_.output.picture) {
     const bool last = simulation_.state().progress.phase + 1 == case_.phases.size();
-    const std::string caption =
-        fmt::format("after phase \"{}\", t = {}", phase.name, format_quantity(simulation_.time(), dimension::time));
+    const std::string caption = fmt::format("after phase \"{}\", t = {}", phase.name,
+                                            format_quantity(simulation_.time(), dimension::time));
     results_.picture(simulation_, last ? "picture" : "picture-" + phase.name, caption);
   }
 }
@@ -159,10 +163,12 @@ void check_ledger(const Simulation& simulation) {
   for (const Parcel& p : simulation.state().parcels.body) mass += p.mass;
   const double off = l.inserted_mass - mass - l.removed_mass - l.escaped_mass;
   if (l.inserted == present + l.removed + l.escaped && std::abs(off) <= 1e-9 * l.inserted_mass) return;
-  throw Failure(Exit::internal_check,
-                fmt::format("the ledger does not balance: {} parcels inserted, {} present, {} removed, {} escaped; "
-                            "{:.3g} kg unaccounted for\n  this is a fault of the program, please report it with the case",
-                            l.inserted, present, l.removed, l.escaped, off));
+  throw Failure(
+      Exit::internal_check,
+      fmt::format(
+          "the ledger does not balance: {} parcels inserted, {} present, {} removed, {} escaped; "
+          "{:.3g} kg unaccounted for\n  this is a fault of the program, please report it with the case",
+          l.inserted, present, l.removed, l.escaped, off));
 }
 
 void add_warning(RunSummary& summary, const std::string& text) {
@@ -170,11 +176,15 @@ void add_warning(RunSummary& summary, const std::string& text) {
   fmt::print(stderr, "warning: {}\n", text);
 }
 
-void print_summary(const Case& c, const Results& results, const RunSummary& summary, const Simulation& simulation) {
-  fmt::print("{} after {} of simulated time ({} steps, {} parcels) in {} ({} of it measures, files and pictures), {} particle-steps/s\n",
-             summary.exit == Exit::ok ? "Completed" : "Ended", format_quantity(simulation.time(), dimension::time),
-             simulation.state().step, simulation.state().parcels.size(), duration_text(summary.wall_time),
-             duration_text(summary.looking_time), count_text(static_cast<double>(summary.particle_steps) / std::max(summary.stepping_time, 1e-9)));
+void print_summary(const Case& c, const Results& results, const RunSummary& summary,
+                   const Simulation& simulation) {
+  fmt::print(
+      "{} after {} of simulated time ({} steps, {} parcels) in {} ({} of it measures and files), {} "
+      "particle-steps/s\n",
+      summary.exit == Exit::ok ? "Completed" : "Ended", format_quantity(simulation.time(), dimension::time),
+      simulation.state().step, simulation.state().parcels.size(), duration_text(summary.wall_time),
+      duration_text(summary.looking_time),
+      count_text(static_cast<double>(summary.particle_steps) / std::max(summary.stepping_time, 1e-9)));
   for (const PhaseRecord& p : summary.phases) {
     fmt::print("  {:<12} {:>10} to {:>10}  ended by {}", p.name, format_quantity(p.start, dimension::time),
                format_quantity(p.end, dimension::time), p.ended_by);
@@ -190,7 +200,8 @@ void print_summary(const Case& c, const Results& results, const RunSummary& summ
     const SourceState& state = simulation.state().sources[k];
     if (source.target.mass)
       fmt::print("  source {}: {} of {} asked for, difference {}\n", source.name,
-                 format_quantity(state.mass, dimension::mass, 6), format_quantity(*source.target.mass, dimension::mass, 6),
+                 format_quantity(state.mass, dimension::mass, 6),
+                 format_quantity(*source.target.mass, dimension::mass, 6),
                  format_quantity(state.mass - *source.target.mass, dimension::mass));
   }
   const Ledger& l = simulation.state().ledger;
@@ -218,7 +229,7 @@ Exit run_case(const RunRequest& request) {
   // What stands there if this process is killed, or the disk is too full for more.
   summary.exit = Exit::unexpected;
   summary.reason = "the run has not ended, or it was killed";
-  results.write_result(summary, nullptr);
+  results.write_result(summary, nullptr, false);
   summary.exit = Exit::ok;
   for (const auto& warning : forecast(c, assembly).warnings) add_warning(summary, warning);
 
@@ -237,9 +248,11 @@ Exit run_case(const RunRequest& request) {
   }
   summary.wall_time = seconds_now() - start;
   if (results.largest_overlap() > 0.05)
-    add_warning(summary, fmt::format("parcels overlapped by up to {:.1f} % of their radius; above 5 % a contact law of "
-                                     "small overlaps is out of its range: raise simulated_modulus",
-                                     100 * results.largest_overlap()));
+    add_warning(
+        summary,
+        fmt::format("parcels overlapped by up to {:.1f} % of their radius; above 5 % a contact law of "
+                    "small overlaps is out of its range: raise simulated_modulus",
+                    100 * results.largest_overlap()));
   results.write_result(summary, runner ? &runner->simulation() : nullptr);
   if (runner && (summary.exit == Exit::ok || summary.exit == Exit::cancelled))
     print_summary(c, results, summary, runner->simulation());

@@ -10,11 +10,16 @@ namespace {
 
 double mix(Mixing rule, double a, double b) {
   switch (rule) {
-    case Mixing::arithmetic_mean: return 0.5 * (a + b);
-    case Mixing::harmonic_mean: return a + b > 0.0 ? 2.0 * a * b / (a + b) : 0.0;
-    case Mixing::smaller: return least(a, b);
-    case Mixing::larger: return greatest(a, b);
-    case Mixing::geometric_mean: break;
+    case Mixing::arithmetic_mean:
+      return 0.5 * (a + b);
+    case Mixing::harmonic_mean:
+      return a + b > 0.0 ? 2.0 * a * b / (a + b) : 0.0;
+    case Mixing::smaller:
+      return least(a, b);
+    case Mixing::larger:
+      return greatest(a, b);
+    case Mixing::geometric_mean:
+      break;
   }
   return a == b ? a : root(a * b);
 }
@@ -45,7 +50,8 @@ laws::MaterialPair real_pair(const Case& c, const Species& a, const Species& b) 
   return pair;
 }
 
-laws::MaterialPair simulated_pair(const Case& c, const Species& a, const Species& b, laws::MaterialPair pair) {
+laws::MaterialPair simulated_pair(const Case& c, const Species& a, const Species& b,
+                                  laws::MaterialPair pair) {
   const double real_modulus = pair.effective_modulus;
   const double nu_a = c.materials[a.material].poisson_ratio, nu_b = c.materials[b.material].poisson_ratio;
   pair.effective_modulus = laws::effective_modulus(a.modulus, nu_a, b.modulus, nu_b);
@@ -64,11 +70,21 @@ SizeLaw grain_sizes(const Powder& powder) {
   const SizeDistribution& s = powder.size;
   SizeLaw law;
   switch (s.kind) {
-    case SizeDistribution::Kind::single: law.kind = SizeKind::single; break;
-    case SizeDistribution::Kind::uniform: law.kind = SizeKind::uniform; break;
-    case SizeDistribution::Kind::normal: law.kind = SizeKind::normal; break;
-    case SizeDistribution::Kind::lognormal: law.kind = SizeKind::lognormal; break;
-    case SizeDistribution::Kind::table: law.kind = SizeKind::table; break;
+    case SizeDistribution::Kind::single:
+      law.kind = SizeKind::single;
+      break;
+    case SizeDistribution::Kind::uniform:
+      law.kind = SizeKind::uniform;
+      break;
+    case SizeDistribution::Kind::normal:
+      law.kind = SizeKind::normal;
+      break;
+    case SizeDistribution::Kind::lognormal:
+      law.kind = SizeKind::lognormal;
+      break;
+    case SizeDistribution::Kind::table:
+      law.kind = SizeKind::table;
+      break;
   }
   law.diameter = s.diameter;
   law.standard_deviation = s.standard_deviation;
@@ -106,7 +122,8 @@ std::vector<Species> species_of(const Case& c) {
     });
     const double modulus = c.materials[wall.material].young_modulus;
     if (!known)
-      list.push_back({"wall of " + c.materials[wall.material].name, wall.material, false, 0, modulus, modulus, 1.0});
+      list.push_back(
+          {"wall of " + c.materials[wall.material].name, wall.material, false, 0, modulus, modulus, 1.0});
   }
   return list;
 }

@@ -14,10 +14,10 @@ struct Species {
   std::string name;
   std::size_t material = 0;
   bool is_powder = false;
-  std::size_t powder = 0;         ///< if is_powder
-  double modulus = 0.0;           ///< simulated Young's modulus, Pa
-  double real_modulus = 0.0;      ///< Pa
-  double coarse_graining = 1.0;   ///< alpha; 1 for walls
+  std::size_t powder = 0;        ///< if is_powder
+  double modulus = 0.0;          ///< simulated Young's modulus, Pa
+  double real_modulus = 0.0;     ///< Pa
+  double coarse_graining = 1.0;  ///< alpha; 1 for walls
 };
 
 /// Parcels' sizes of a powder: the grains' law times alpha.

@@ -79,7 +79,8 @@ double characteristic_speed(const Case& c) {
 }
 
 TimeStep choose_time_step(const Case& c, const std::vector<Species>& species,
-                          const std::vector<PairProperties>& pairs, const std::vector<double>& smallest_radius) {
+                          const std::vector<PairProperties>& pairs,
+                          const std::vector<double>& smallest_radius) {
   TimeStep result;
   result.characteristic_speed = characteristic_speed(c);
   const std::vector<double>& radius = smallest_radius;
@@ -88,8 +89,8 @@ TimeStep choose_time_step(const Case& c, const std::vector<Species>& species,
     if (!species[s].is_powder) continue;
     const Material& m = c.materials[species[s].material];
     mass[s] = m.density * sphere_volume(radius[s]);
-    result.limits.push_back(
-        {"rayleigh", species[s].name, laws::rayleigh_time(radius[s], m.density, species[s].modulus, m.poisson_ratio)});
+    result.limits.push_back({"rayleigh", species[s].name,
+                             laws::rayleigh_time(radius[s], m.density, species[s].modulus, m.poisson_ratio)});
   }
   for (const PairProperties& p : pairs) {
     const bool wall = !species[p.second].is_powder;
@@ -110,11 +111,12 @@ TimeStep choose_time_step(const Case& c, const std::vector<Species>& species,
   result.given = c.time.step.has_value();
   result.step = c.time.step.value_or(c.time.fraction * binding.time);
   if (result.step > binding.time)
-    throw Failure(Exit::bad_case,
-                  fmt::format("{}: error: time.step = {:.4g} s is too large: the {} limit of {} is {:.4g} s\n  "
-                              "remove time.step to have a safe step chosen ({:.4g} s), or set it below the limit",
-                              c.file, result.step, binding.kind, binding.of, binding.time,
-                              c.time.fraction * binding.time));
+    throw Failure(
+        Exit::bad_case,
+        fmt::format("{}: error: time.step = {:.4g} s is too large: the {} limit of {} is {:.4g} s\n  "
+                    "remove time.step to have a safe step chosen ({:.4g} s), or set it below the limit",
+                    c.file, result.step, binding.kind, binding.of, binding.time,
+                    c.time.fraction * binding.time));
   return result;
 }
 

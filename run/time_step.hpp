@@ -10,9 +10,9 @@ namespace pulvis {
 
 /// One limit on the time step.
 struct StepLimit {
-  std::string kind;  ///< rayleigh | hertz | cohesive stiffness | cohesive speed
-  std::string of;    ///< the powder or the pair it comes from
-  double time = 0.0; ///< s
+  std::string kind;   ///< rayleigh | hertz | cohesive stiffness | cohesive speed
+  std::string of;     ///< the powder or the pair it comes from
+  double time = 0.0;  ///< s
 };
 
 struct TimeStep {
@@ -22,19 +22,20 @@ struct TimeStep {
   bool given = false;                 ///< the case fixes the step
 };
 
-/// Speed that collisions can reach, m/s: over all phases, the largest sum of the fall of the parcels that appear
-/// in it (from the top of their region to the deepest wall, with their initial velocity) and of its fastest
-/// wall. The case can state its own.
+/// Speed that collisions can reach, m/s: over all phases, the largest sum of the fall of the parcels that
+/// appear in it (from the top of their region to the deepest wall, with their initial velocity) and of its
+/// fastest wall. The case can state its own.
 double characteristic_speed(const Case& c);
 
-/// The time step: the case's own, or its fraction of the smallest limit. For the smallest parcels, whose radius
-/// (m) is given for each species that is a powder:
+/// The time step: the case's own, or its fraction of the smallest limit. For the smallest parcels, whose
+/// radius (m) is given for each species that is a powder:
 ///   rayleigh             laws::rayleigh_time                                per powder
 ///   hertz                laws::hertz_contact_time at the characteristic speed   per pair
 ///   cohesive stiffness   sqrt(m*/k), k the JKR stiffness at zero overlap        per adhesive pair
 ///   cohesive speed       delta_c/(10 v_s), v_s the sticking speed               per adhesive pair
 /// Throws Failure(bad_case) if a given step exceeds the smallest limit.
 TimeStep choose_time_step(const Case& c, const std::vector<Species>& species,
-                          const std::vector<PairProperties>& pairs, const std::vector<double>& smallest_radius);
+                          const std::vector<PairProperties>& pairs,
+                          const std::vector<double>& smallest_radius);
 
 }  // namespace pulvis

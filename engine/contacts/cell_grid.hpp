@@ -37,7 +37,8 @@ class CellGrid {
     const int y_count = neighbours(1, cy, ys), z_count = neighbours(2, cz, zs);
     for (int iz = 0; iz < z_count; ++iz)
       for (int iy = 0; iy < y_count; ++iy)
-        visit_row((static_cast<std::size_t>(zs[iz]) * ny() + static_cast<std::size_t>(ys[iy])) * nx(), cx, visit);
+        visit_row((static_cast<std::size_t>(zs[iz]) * ny() + static_cast<std::size_t>(ys[iy])) * nx(), cx,
+                  visit);
   }
 
  private:

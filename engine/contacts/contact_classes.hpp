@@ -19,8 +19,7 @@ struct ContactClass {
 class ContactClasses {
  public:
   ContactClasses() = default;
-  explicit ContactClasses(std::size_t species)
-      : species_(species), index_(species * species, 0) {}
+  explicit ContactClasses(std::size_t species) : species_(species), index_(species * species, 0) {}
 
   /// Sets the class of two species, in either order.
   void set(std::size_t a, std::size_t b, const ContactClass& contact) {

@@ -18,7 +18,8 @@ inline void put(Lanes3& lanes, int k, const Vec3& v) {
 }
 inline Vec3 get(const Lanes3& lanes, int k) { return {lanes.x[k], lanes.y[k], lanes.z[k]}; }
 
-inline void stage_history(ContactBlock& b, int k, std::uint32_t slot, bool touching, const laws::History& history) {
+inline void stage_history(ContactBlock& b, int k, std::uint32_t slot, bool touching,
+                          const laws::History& history) {
   b.slot[k] = slot;
   b.touching[k] = touching ? 1.0 : 0.0;
   put(b.slide, k, history.slide);
@@ -47,8 +48,8 @@ void finish_walls(ContactBlock& b, const ContactClass& contact, NearWalls& near,
   b.count = 0;
 }
 
-inline void stage_pair(ContactBlock& b, std::uint32_t slot, const Parcel& p, const Parcel& q, const Vec3& offset,
-                       const NearPairs& near) {
+inline void stage_pair(ContactBlock& b, std::uint32_t slot, const Parcel& p, const Parcel& q,
+                       const Vec3& offset, const NearPairs& near) {
   const int k = b.count++;
   stage_history(b, k, slot, near.touching[slot] != 0, near.history[slot]);
   put(b.offset, k, offset);
@@ -67,9 +68,9 @@ WallSight look(const Surface& surface, const Vec3& centre_in_body) {
   return {nearest, offset, norm(offset)};
 }
 
-/// Slot of the surface a contact on an edge belongs to: of the surfaces of the same body that share the edge the
-/// nearest, else one that is touched on its face, else the one named first. So an edge shared by two faces is one
-/// contact, and none while the parcel rests on a face itself.
+/// Slot of the surface a contact on an edge belongs to: of the surfaces of the same body that share the edge
+/// the nearest, else one that is touched on its face, else the one named first. So an edge shared by two
+/// faces is one contact, and none while the parcel rests on a face itself.
 std::uint32_t owner_of_edge(const NearWalls& near, std::uint32_t begin, std::span<const WallSight> sights,
                             std::uint32_t own, double radius, std::span<const Surface> surfaces) {
   const double same = 1e-9 * radius;
@@ -89,8 +90,8 @@ std::uint32_t owner_of_edge(const NearWalls& near, std::uint32_t begin, std::spa
   return best;
 }
 
-void stage_wall(ContactBlock& b, std::uint32_t slot, const Parcel& p, const Surface& surface, const Pose& pose,
-                const WallSight& sight, const NearWalls& near, double dt) {
+void stage_wall(ContactBlock& b, std::uint32_t slot, const Parcel& p, const Surface& surface,
+                const Pose& pose, const WallSight& sight, const NearWalls& near, double dt) {
   const int k = b.count++;
   stage_history(b, k, slot, near.touching[slot] != 0, near.history[slot]);
   const Vec3 normal = sight.offset / sight.distance;
@@ -109,6 +110,8 @@ void stage_wall(ContactBlock& b, std::uint32_t slot, const Parcel& p, const Surf
   b.mass[k] = p.mass;
   b.arm_first[k] = sight.distance;
   b.arm_second[k] = 0.0;
+  b.half_arm_first[k] = half.distance;
+  b.half_arm_second[k] = 0.0;
 }
 
 /// Whether the centre changed sides during the step, through the face itself.
@@ -147,9 +150,9 @@ void ContactEvaluator::pairs(NearPairs& near, const Parcels& parcels, const Cont
   });
 }
 
-/// Looks at every surface near parcel `i` and gives each contact on a shared edge to one of them. A contact that
-/// changes surfaces there takes its memory along: it ends by its law only. Returns through `owner` the slot, from
-/// the parcel's first, that each contact now belongs to.
+/// Looks at every surface near parcel `i` and gives each contact on a shared edge to one of them. A contact
+/// that changes surfaces there takes its memory along: it ends by its law only. Returns through `owner` the
+/// slot, from the parcel's first, that each contact now belongs to.
 void ContactEvaluator::settle_edges(NearWalls& near, std::uint32_t i, const Parcel& p,
                                     std::span<const Surface> surfaces, std::span<const Pose> poses,
                                     Scratch& scratch) {

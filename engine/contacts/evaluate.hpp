@@ -11,7 +11,7 @@ namespace pulvis {
 
 /// A parcel whose centre passed through a surface during a step.
 struct Crossing {
-  std::uint32_t parcel;   ///< index in the store
+  std::uint32_t parcel;  ///< index in the store
   std::uint32_t surface;
 };
 
@@ -29,12 +29,12 @@ class ContactEvaluator {
  public:
   ContactEvaluator(int most_threads, std::size_t classes);
 
-  void pairs(NearPairs& near, const Parcels& parcels, const ContactClasses& classes, const NearestImage& nearest,
-             double dt, int threads);
+  void pairs(NearPairs& near, const Parcels& parcels, const ContactClasses& classes,
+             const NearestImage& nearest, double dt, int threads);
   /// Fills `crossings`, ascending in the parcel's index.
   void walls(NearWalls& near, const Parcels& parcels, std::span<const Surface> surfaces,
-             std::span<const Body> bodies, std::span<const Pose> poses, const ContactClasses& classes, double dt,
-             int threads, std::vector<Crossing>& crossings);
+             std::span<const Body> bodies, std::span<const Pose> poses, const ContactClasses& classes,
+             double dt, int threads, std::vector<Crossing>& crossings);
 
  private:
   struct Scratch {
@@ -43,8 +43,8 @@ class ContactEvaluator {
     std::vector<WallSight> sights;     ///< of one parcel, per slot
     std::vector<std::uint32_t> owner;  ///< of one parcel, per slot: see settle_edges
   };
-  static void settle_edges(NearWalls& near, std::uint32_t parcel, const Parcel& p, std::span<const Surface> surfaces,
-                           std::span<const Pose> poses, Scratch& scratch);
+  static void settle_edges(NearWalls& near, std::uint32_t parcel, const Parcel& p,
+                           std::span<const Surface> surfaces, std::span<const Pose> poses, Scratch& scratch);
 
   std::vector<Scratch> scratch_;
 };

@@ -175,7 +175,8 @@ void NearPairs::take_over_loads(const NearPairs& old, std::span<const std::uint3
     if (!touching[slot]) continue;
     const std::uint32_t i = old_index[first[slot]], j = old_index[second[slot]];
     for (std::uint32_t k = old.begin[i]; k < old.begin[i + 1]; ++k)
-      if (!(old.entry[k] & 1u) && old.second[old.entry[k] >> 1] == j) load[slot] = old.load[old.entry[k] >> 1];
+      if (!(old.entry[k] & 1u) && old.second[old.entry[k] >> 1] == j)
+        load[slot] = old.load[old.entry[k] >> 1];
   }
 }
 

@@ -36,8 +36,8 @@ class NearPairs {
   std::size_t restore(const TouchingList& list, std::span<const std::uint32_t> old_index,
                       const Parcels& parcels, int threads);
 
-  /// Takes the loads of the contacts that touch over from the lists before a rebuild, where each parcel stood at
-  /// `old_index`, so that they can still be asked for before the next evaluation.
+  /// Takes the loads of the contacts that touch over from the lists before a rebuild, where each parcel stood
+  /// at `old_index`, so that they can still be asked for before the next evaluation.
   void take_over_loads(const NearPairs& old, std::span<const std::uint32_t> old_index);
 
   std::size_t slots() const { return first.size(); }
@@ -53,7 +53,8 @@ class NearPairs {
   std::vector<std::uint32_t> entry;  ///< 2 slot + (1 if the parcel is the second)
 
  private:
-  void search(const Parcels& parcels, std::span<const double> margin, double reach, const Box& box, int threads);
+  void search(const Parcels& parcels, std::span<const double> margin, double reach, const Box& box,
+              int threads);
   void assign_slots(const Parcels& parcels, int threads);
 
   CellGrid grid_;

@@ -8,9 +8,9 @@
 
 namespace pulvis {
 
-void NearWalls::rebuild(const Parcels& parcels, std::span<const Surface> surfaces, std::span<const Pose> poses,
-                        std::span<const double> margin, std::span<const double> body_margin, double reach,
-                        int threads) {
+void NearWalls::rebuild(const Parcels& parcels, std::span<const Surface> surfaces,
+                        std::span<const Pose> poses, std::span<const double> margin,
+                        std::span<const double> body_margin, double reach, int threads) {
   const std::size_t count = parcels.size();
   std::vector<std::vector<std::uint32_t>> found(static_cast<std::size_t>(std::max(threads, 1)));
   std::vector<std::size_t> share_begin(found.size(), count);
@@ -33,7 +33,8 @@ void NearWalls::rebuild(const Parcels& parcels, std::span<const Surface> surface
   const std::size_t slot_count = begin[count];
   surface.resize(slot_count);
   for (std::size_t t = 0; t < found.size(); ++t)
-    if (!found[t].empty()) std::copy(found[t].begin(), found[t].end(), surface.begin() + begin[share_begin[t]]);
+    if (!found[t].empty())
+      std::copy(found[t].begin(), found[t].end(), surface.begin() + begin[share_begin[t]]);
   parcel.resize(slot_count);
   for (std::size_t i = 0; i < count; ++i)
     std::fill(parcel.begin() + begin[i], parcel.begin() + begin[i + 1], static_cast<std::uint32_t>(i));

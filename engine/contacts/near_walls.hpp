@@ -16,7 +16,8 @@ class NearWalls {
  public:
   /// Finds all surfaces closer to a parcel than its margin + that of the surface's body + reach, m.
   void rebuild(const Parcels& parcels, std::span<const Surface> surfaces, std::span<const Pose> poses,
-               std::span<const double> margin, std::span<const double> body_margin, double reach, int threads);
+               std::span<const double> margin, std::span<const double> body_margin, double reach,
+               int threads);
   TouchingList pack() const;
   /// As NearPairs::restore.
   std::size_t restore(const TouchingList& list, std::span<const std::uint32_t> old_index);

@@ -64,8 +64,8 @@ StepNotice begin_step(Parcels& parcels, const Box& box, double dt, std::span<Vec
   return all;
 }
 
-void end_step(Parcels& parcels, const NearPairs& pairs, const NearWalls& walls, const Vec3& gravity, double dt,
-              int threads) {
+void end_step(Parcels& parcels, const NearPairs& pairs, const NearWalls& walls, const Vec3& gravity,
+              double dt, int threads) {
   parallel_shares(parcels.size(), threads, [&](std::size_t from, std::size_t to, int) {
     for (std::size_t i = from; i < to; ++i) {
       Parcel& p = parcels.body[i];

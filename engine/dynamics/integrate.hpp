@@ -11,9 +11,9 @@ namespace pulvis {
 
 /// What the first half of a step noticed.
 struct StepNotice {
-  bool outside = false;  ///< a position is outside the box, or it or a spin is not a finite number
-  bool too_fast = false; ///< a parcel moved more than half its radius in one step
-  bool stale = false;    ///< a parcel left the margin the lists were made for
+  bool outside = false;   ///< a position is outside the box, or it or a spin is not a finite number
+  bool too_fast = false;  ///< a parcel moved more than half its radius in one step
+  bool stale = false;     ///< a parcel left the margin the lists were made for
 };
 
 /// First half of velocity Verlet: v += (F/m) dt/2, omega += (T/I) dt/2, x += v dt; wraps periodic axes.
@@ -25,7 +25,7 @@ StepNotice begin_step(Parcels& parcels, const Box& box, double dt, std::span<Vec
 
 /// Sums each parcel's loads in a fixed order: gravity, pair contacts by the partner's id, walls by surface;
 /// then the second half of velocity Verlet.
-void end_step(Parcels& parcels, const NearPairs& pairs, const NearWalls& walls, const Vec3& gravity, double dt,
-              int threads);
+void end_step(Parcels& parcels, const NearPairs& pairs, const NearWalls& walls, const Vec3& gravity,
+              double dt, int threads);
 
 }  // namespace pulvis

@@ -14,8 +14,9 @@
 namespace pulvis {
 namespace {
 
-constexpr std::uint32_t pack_attempts = 20000;  // per parcel; random packs give up near a solid fraction of 0.37
-constexpr std::uint32_t rain_attempts = 100;    // per parcel and look; what finds no place waits for the next
+constexpr std::uint32_t pack_attempts =
+    20000;  // per parcel; random packs give up near a solid fraction of 0.37
+constexpr std::uint32_t rain_attempts = 100;  // per parcel and look; what finds no place waits for the next
 
 /// Random numbers of one parcel of one source.
 struct Dice {
@@ -29,11 +30,13 @@ double mass_of(double diameter, double density) { return density * sphere_volume
 
 /// Diameter of the next parcel, or 0 if the target is met. A mass is met to within half the smallest parcel:
 /// near the end parcels that are too heavy are drawn again.
-double next_diameter(const SourceModel& m, const SourceState& state, std::uint64_t seed, std::uint32_t stream) {
+double next_diameter(const SourceModel& m, const SourceState& state, std::uint64_t seed,
+                     std::uint32_t stream) {
   if (m.target_count && state.count >= *m.target_count) return 0.0;
   const double drawn = m.sizes->diameter(seed, stream, state.count);
   if (!m.target_mass) return drawn;
-  const double remaining = *m.target_mass - state.mass, half_smallest = 0.5 * mass_of(m.sizes->smallest(), m.density);
+  const double remaining = *m.target_mass - state.mass,
+               half_smallest = 0.5 * mass_of(m.sizes->smallest(), m.density);
   if (remaining < half_smallest) return 0.0;
   constexpr std::uint32_t redraws = 64, other_streams = 0x10000;
   double diameter = drawn;
@@ -90,8 +93,8 @@ OverlapGrid grid_of_present(const SourceModel& m, const Parcels& present, const 
 }
 
 /// Tries to place one parcel of this diameter; true if it found room.
-bool place(const SourceModel& m, SourceState& state, double diameter, const Dice& dice, std::uint32_t attempts,
-           std::uint32_t first_draw, OverlapGrid& grid, std::vector<Parcel>& placed) {
+bool place(const SourceModel& m, SourceState& state, double diameter, const Dice& dice,
+           std::uint32_t attempts, std::uint32_t first_draw, OverlapGrid& grid, std::vector<Parcel>& placed) {
   const double radius = 0.5 * diameter;
   for (std::uint32_t k = 0; k < attempts; ++k) {
     const Vec3 centre = place_in(m.region, radius, dice, first_draw + 3 * k);
@@ -111,28 +114,30 @@ bool place(const SourceModel& m, SourceState& state, double diameter, const Dice
   return false;
 }
 
-std::vector<Parcel> draw_pack(const SourceModel& m, SourceState& state, std::uint64_t seed, std::uint32_t stream,
-                              const Parcels& present, const Box& domain) {
+std::vector<Parcel> draw_pack(const SourceModel& m, SourceState& state, std::uint64_t seed,
+                              std::uint32_t stream, const Parcels& present, const Box& domain) {
   OverlapGrid grid = grid_of_present(m, present, domain);
   std::vector<Parcel> placed;
   double solid = 0.0;
   while (const double diameter = next_diameter(m, state, seed, stream)) {
     if (!place(m, state, diameter, {seed, stream, state.count}, pack_attempts, 1, grid, placed))
-      throw Failure(Exit::bad_case,
-                    fmt::format("source {}: the region is too full: {} parcels fill {:.1f} % of it and the next "
-                                "finds no place in {} attempts\n  ask for at most about {} parcels ({:.4g} kg), "
-                                "enlarge the region, or let it rain",
-                                m.name, state.count, 100.0 * solid / volume_of(m.region), pack_attempts,
-                                static_cast<std::uint64_t>(0.95 * static_cast<double>(state.count)),
-                                0.95 * state.mass));
+      throw Failure(
+          Exit::bad_case,
+          fmt::format("source {}: the region is too full: {} parcels fill {:.1f} % of it and the next "
+                      "finds no place in {} attempts\n  ask for at most about {} parcels ({:.4g} kg), "
+                      "enlarge the region, or let it rain",
+                      m.name, state.count, 100.0 * solid / volume_of(m.region), pack_attempts,
+                      static_cast<std::uint64_t>(0.95 * static_cast<double>(state.count)),
+                      0.95 * state.mass));
     solid += sphere_volume(placed.back().radius);
   }
   state.done = true;
   return placed;
 }
 
-std::vector<Parcel> draw_rain(const SourceModel& m, SourceState& state, std::uint64_t seed, std::uint32_t stream,
-                              std::uint64_t step, double dt, const Parcels& present, const Box& domain) {
+std::vector<Parcel> draw_rain(const SourceModel& m, SourceState& state, std::uint64_t seed,
+                              std::uint32_t stream, std::uint64_t step, double dt, const Parcels& present,
+                              const Box& domain) {
   const std::uint64_t interval = rain_interval(m, dt), since = step - state.opened;
   if (since % interval != 0) return {};
   const double due = state.mass_at_opening + m.rate * static_cast<double>(since + interval) * dt;
@@ -146,7 +151,8 @@ std::vector<Parcel> draw_rain(const SourceModel& m, SourceState& state, std::uin
   // offered the same places again. 2^32 draws last for over ten million looks.
   const auto first_draw = static_cast<std::uint32_t>(1 + 3 * rain_attempts * (since / interval));
   while (diameter > 0.0 && state.mass + 0.5 * mass_of(diameter, m.density) <= due) {
-    if (!place(m, state, diameter, {seed, stream, state.count}, rain_attempts, first_draw, grid, placed)) break;
+    if (!place(m, state, diameter, {seed, stream, state.count}, rain_attempts, first_draw, grid, placed))
+      break;
     diameter = next_diameter(m, state, seed, stream);
   }
   state.done = diameter == 0.0;
@@ -161,9 +167,10 @@ void require_room(const SourceModel& m) {
       r.shape == Region::Shape::box ? least(least(e.x, e.y), e.z) : least(2.0 * r.radius, r.height);
   const double largest = m.sizes->largest();
   if (largest > room * (1.0 + 1e-12))
-    throw Failure(Exit::bad_case, fmt::format("source {}: its region is {:.4g} m wide where it is narrowest, less "
-                                              "than the largest parcel, {:.4g} m\n  enlarge the region",
-                                              m.name, room, largest));
+    throw Failure(Exit::bad_case,
+                  fmt::format("source {}: its region is {:.4g} m wide where it is narrowest, less "
+                              "than the largest parcel, {:.4g} m\n  enlarge the region",
+                              m.name, room, largest));
 }
 
 }  // namespace
@@ -180,9 +187,12 @@ std::vector<Parcel> draw_parcels(const SourceModel& model, SourceState& state, s
                                  const Box& domain) {
   if (model.kind != SourceModel::Kind::list) require_room(model);
   switch (model.kind) {
-    case SourceModel::Kind::pack: return draw_pack(model, state, seed, stream, present, domain);
-    case SourceModel::Kind::rain: return draw_rain(model, state, seed, stream, step, dt, present, domain);
-    case SourceModel::Kind::list: break;
+    case SourceModel::Kind::pack:
+      return draw_pack(model, state, seed, stream, present, domain);
+    case SourceModel::Kind::rain:
+      return draw_rain(model, state, seed, stream, step, dt, present, domain);
+    case SourceModel::Kind::list:
+      break;
   }
   state.done = true;
   state.count = model.list.size();

@@ -31,15 +31,16 @@ struct SourceModel {
 struct SourceState {
   bool open = false;
   bool done = false;
-  std::uint64_t opened = 0;     ///< step
-  double mass_at_opening = 0.0; ///< kg
-  std::uint64_t count = 0;      ///< parcels given so far; also the number of the next one
-  double mass = 0.0;            ///< kg given so far
+  std::uint64_t opened = 0;      ///< step
+  double mass_at_opening = 0.0;  ///< kg
+  std::uint64_t count = 0;       ///< parcels given so far; also the number of the next one
+  double mass = 0.0;             ///< kg given so far
 };
 
 /// Parcels a source gives at this step, none if none is due. `state` is updated. Positions, sizes and
 /// attempts are drawn from counters (seed, source, number of the parcel), never from the order of threads.
-/// Throws Failure(bad_case) if a pack does not fit, saying how full the region is, or if a parcel is wider than it.
+/// Throws Failure(bad_case) if a pack does not fit, saying how full the region is, or if a parcel is wider
+/// than it.
 std::vector<Parcel> draw_parcels(const SourceModel& model, SourceState& state, std::uint64_t seed,
                                  std::uint32_t stream, std::uint64_t step, double dt, const Parcels& present,
                                  const Box& domain);

@@ -40,18 +40,24 @@ InstructionSet instruction_set() {
 
 const char* name_of(InstructionSet set) {
   switch (set) {
-    case InstructionSet::avx512: return "avx512";
-    case InstructionSet::avx2: return "avx2";
-    case InstructionSet::baseline: break;
+    case InstructionSet::avx512:
+      return "avx512";
+    case InstructionSet::avx2:
+      return "avx2";
+    case InstructionSet::baseline:
+      break;
   }
   return "baseline";
 }
 
 ContactKernel contact_kernel(std::size_t law, InstructionSet set) {
   switch (set) {
-    case InstructionSet::avx512: return avx512::contact_kernel(law);
-    case InstructionSet::avx2: return avx2::contact_kernel(law);
-    case InstructionSet::baseline: break;
+    case InstructionSet::avx512:
+      return avx512::contact_kernel(law);
+    case InstructionSet::avx2:
+      return avx2::contact_kernel(law);
+    case InstructionSet::baseline:
+      break;
   }
   return baseline::contact_kernel(law);
 }

@@ -21,14 +21,15 @@ struct ContactBlock {
   std::uint32_t slot[block_size];
 
   // Staged for parcels: the kernel derives what stands under "staged for walls" from these.
-  Lanes3 offset;        ///< x_second - x_first (nearest image), end of step
-  Lanes3 velocity;      ///< v_first - v_second, mid-step; walls: v_first - v_wall at the contact
+  Lanes3 offset;    ///< x_second - x_first (nearest image), end of step
+  Lanes3 velocity;  ///< v_first - v_second, mid-step; walls: v_first - v_wall at the contact
   alignas(64) Lane radius_first, radius_second, mass_first, mass_second;
 
   // Staged for walls, derived for parcels.
   Lanes3 normal, half_normal;
-  alignas(64) Lane overlap, radius, mass;  ///< delta, R*, m*
-  alignas(64) Lane arm_first, arm_second;  ///< from the centre to the contact; wall: 0
+  alignas(64) Lane overlap, radius, mass;            ///< delta, R*, m*
+  alignas(64) Lane arm_first, arm_second;            ///< from the centre to the contact; wall: 0
+  alignas(64) Lane half_arm_first, half_arm_second;  ///< the same in the middle of the step
 
   Lanes3 spin_first, spin_second;  ///< mid-step
   alignas(64) Lane touching;       ///< in: before this step; out: now

@@ -25,7 +25,8 @@ PULVIS_INLINE void derive_geometry(ContactBlock& b, int k, double dt) {
   const Vec3 half_offset = offset + (0.5 * dt) * load(b.velocity, k);  // where they were dt/2 ago
   const double distance = norm(offset);
   store(b.normal, k, offset / distance);
-  store(b.half_normal, k, half_offset / norm(half_offset));
+  const double half_distance = norm(half_offset);
+  store(b.half_normal, k, half_offset / half_distance);
   const double r1 = b.radius_first[k], r2 = b.radius_second[k];
   const double m1 = b.mass_first[k], m2 = b.mass_second[k];
   const double overlap = (r1 + r2) - distance;
@@ -34,6 +35,9 @@ PULVIS_INLINE void derive_geometry(ContactBlock& b, int k, double dt) {
   b.mass[k] = m1 * m2 / (m1 + m2);
   b.arm_first[k] = r1 - 0.5 * overlap;
   b.arm_second[k] = r2 - 0.5 * overlap;
+  const double half_overlap = (r1 + r2) - half_distance;
+  b.half_arm_first[k] = r1 - 0.5 * half_overlap;
+  b.half_arm_second[k] = r2 - 0.5 * half_overlap;
 }
 
 template <class Law>
@@ -41,9 +45,16 @@ PULVIS_INLINE void evaluate(ContactBlock& b, int k, const typename Law::Pair& pa
   const Vec3 normal = load(b.normal, k), half_normal = load(b.half_normal, k);
   const Vec3 spin_first = load(b.spin_first, k), spin_second = load(b.spin_second, k);
   const double arm_first = b.arm_first[k], arm_second = b.arm_second[k];
-  const Vec3 surface = arm_first * spin_first + arm_second * spin_second;
-  const laws::Touch touch{b.overlap[k], b.radius[k], b.mass[k], b.touching[k], normal, half_normal,
-                          load(b.velocity, k) + cross(surface, half_normal), spin_first - spin_second, dt};
+  const Vec3 surface = b.half_arm_first[k] * spin_first + b.half_arm_second[k] * spin_second;
+  const laws::Touch touch{b.overlap[k],
+                          b.radius[k],
+                          b.mass[k],
+                          b.touching[k],
+                          normal,
+                          half_normal,
+                          load(b.velocity, k) + cross(surface, half_normal),
+                          spin_first - spin_second,
+                          dt};
   const laws::History old{load(b.slide, k), load(b.roll, k)};
 
   const laws::Response r = Law::evaluate(touch, old, pair);

@@ -18,7 +18,10 @@ typename Law::Pair unpack(const PairConstants& constants) {
 template <class Law>
 LawEntry entry() {
   static_assert(sizeof(typename Law::Pair) <= sizeof(PairConstants));
-  return {Law::NormalType::name, Law::DampingType::name, Law::SlidingType::name, Law::RollingType::name,
+  return {Law::NormalType::name,
+          Law::DampingType::name,
+          Law::SlidingType::name,
+          Law::RollingType::name,
           [](const MaterialPair& pair, const Choices& choices) {
             PairConstants constants{};
             const auto mixed = Law::mix(pair, choices);

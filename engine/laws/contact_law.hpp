@@ -68,8 +68,11 @@ struct ContactLaw {
                                                damping.tangential, pair.sliding, spring);
     const Vec3 torque = RollingPart::roll(touch, normal.contact_radius, limiting, old.roll, pair.rolling);
 
-    return {touching, touching * (tangential - force * touch.normal), touching * tangential,
-            touching * torque, {touching * spring, touching * torque}};
+    return {touching,
+            touching * (tangential - force * touch.normal),
+            touching * tangential,
+            touching * torque,
+            {touching * spring, touching * torque}};
   }
 };
 

@@ -32,7 +32,8 @@ inline double hertz_contact_time(double mass, double radius, double modulus, dou
   return 2.8683 * power(mass * mass / (radius * modulus * modulus * speed), 0.2);
 }
 
-/// Largest overlap of an elastic Hertz impact, m:  (15 m* v^2/(16 E* sqrt(R*)))^(2/5).  Johnson (1985), eq. 11.23.
+/// Largest overlap of an elastic Hertz impact, m:  (15 m* v^2/(16 E* sqrt(R*)))^(2/5).  Johnson (1985),
+/// eq. 11.23.
 inline double hertz_largest_overlap(double mass, double radius, double modulus, double speed) {
   const double ratio = 15.0 * mass * speed * speed / (16.0 * modulus * root(radius));
   return ratio > 0.0 ? power(ratio, 0.4) : 0.0;
@@ -46,7 +47,9 @@ inline double hertz_overlap_under(double force, double radius, double modulus) {
 // JKR (see normal/jkr.hpp for sources).
 
 /// F_po = (3/2) pi W R*, N.
-inline double jkr_pull_off(double radius, double work) { return 1.5 * 3.14159265358979323846 * work * radius; }
+inline double jkr_pull_off(double radius, double work) {
+  return 1.5 * 3.14159265358979323846 * work * radius;
+}
 
 /// delta_c = (3/4) (pi^2 W^2 R*/E*^2)^(1/3), m.
 inline double jkr_stretch(double radius, double modulus, double work) {

@@ -25,15 +25,15 @@ struct Choices {
 /// Two bodies in contact, seen at the end of a step. `first` is the one with the lower id, or the parcel
 /// at a wall; the normal points from the first to the second.
 struct Touch {
-  double overlap;        ///< delta, m; negative: gap
-  double radius;         ///< R*, m; 1/R* = 1/R_i + 1/R_j, a flat wall has 1/R = 0
-  double mass;           ///< m*, kg; a wall has infinite mass
-  double was_touching;   ///< 1 if the contact existed at the end of the step before, else 0
-  Vec3 normal;           ///< n at the end of the step, unit vector
-  Vec3 half_normal;      ///< n in the middle of the step, unit vector
-  Vec3 velocity;         ///< of the first against the second at the contact, mid-step, m/s
-  Vec3 spin;             ///< omega_first - omega_second, mid-step, rad/s
-  double dt;             ///< s
+  double overlap;       ///< delta, m; negative: gap
+  double radius;        ///< R*, m; 1/R* = 1/R_i + 1/R_j, a flat wall has 1/R = 0
+  double mass;          ///< m*, kg; a wall has infinite mass
+  double was_touching;  ///< 1 if the contact existed at the end of the step before, else 0
+  Vec3 normal;          ///< n at the end of the step, unit vector
+  Vec3 half_normal;     ///< n in the middle of the step, unit vector
+  Vec3 velocity;        ///< of the first against the second at the contact, mid-step, m/s
+  Vec3 spin;            ///< omega_first - omega_second, mid-step, rad/s
+  double dt;            ///< s
 };
 
 /// Normal law: force without dashpot and the contact radius.
@@ -52,10 +52,10 @@ struct History {
 
 /// Result of a law. A contact that does not exist gives zeros, also in its history.
 struct Response {
-  double touching;  ///< 1 or 0
-  Vec3 force;       ///< on the first, N; the second gets the opposite
-  Vec3 tangential;  ///< the tangential part of `force`, N
-  Vec3 roll_torque; ///< on the first, N m; the second gets the opposite
+  double touching;   ///< 1 or 0
+  Vec3 force;        ///< on the first, N; the second gets the opposite
+  Vec3 tangential;   ///< the tangential part of `force`, N
+  Vec3 roll_torque;  ///< on the first, N m; the second gets the opposite
   History history;
 };
 

@@ -13,8 +13,8 @@ namespace pulvis {
 /// Everything about a run that never changes while it runs. SI.
 struct Model {
   Box domain;
-  Vec3 gravity;        ///< m/s^2
-  double dt = 0.0;     ///< s
+  Vec3 gravity;     ///< m/s^2
+  double dt = 0.0;  ///< s
   ContactClasses classes;
   std::vector<Surface> surfaces;
   std::vector<Body> bodies;

@@ -56,7 +56,8 @@ int Simulation::threads() const {
 
 void Simulation::step() {
   insert_due_parcels();
-  const StepNotice notice = begin_step(state_.parcels, model_.domain, model_.dt, reference_, margin_, threads());
+  const StepNotice notice =
+      begin_step(state_.parcels, model_.domain, model_.dt, reference_, margin_, threads());
   move_bodies_to(state_.step + 1);
   if (notice.outside || notice.too_fast) take_out_escaped(notice);
   if (notice.stale || a_body_left_its_margin()) rebuild();
@@ -85,8 +86,8 @@ void Simulation::insert_due_parcels() {
     SourceState& source = state_.sources[k];
     if (!source.open || source.done) continue;
     // Each source sees what the ones before it gave in this step.
-    for (Parcel& p : draw_parcels(model_.sources[k], source, model_.seed, static_cast<std::uint32_t>(k), state_.step,
-                                  model_.dt, state_.parcels, model_.domain)) {
+    for (Parcel& p : draw_parcels(model_.sources[k], source, model_.seed, static_cast<std::uint32_t>(k),
+                                  state_.step, model_.dt, state_.parcels, model_.domain)) {
       p.id = state_.next_id++;
       state_.parcels.body.push_back(p);
       state_.parcels.load.push_back({p.mass * model_.gravity, {}});
@@ -125,11 +126,12 @@ void Simulation::move_bodies_to(std::uint64_t step) {
 // --- parcels that leave ----------------------------------------------------------------------------------
 
 void Simulation::fail_at(const char* what, const char* remedy, const Parcel& p) const {
-  throw Failure(Exit::physics,
-                fmt::format("{}: parcel {} at t = {:.6g} s, position ({:.6g}, {:.6g}, {:.6g}) m, velocity ({:.6g}, "
-                            "{:.6g}, {:.6g}) m/s, radius {:.4g} m\n  {}",
-                            what, p.id, time(), p.position.x, p.position.y, p.position.z, p.velocity.x,
-                            p.velocity.y, p.velocity.z, p.radius, remedy));
+  throw Failure(
+      Exit::physics,
+      fmt::format("{}: parcel {} at t = {:.6g} s, position ({:.6g}, {:.6g}, {:.6g}) m, velocity ({:.6g}, "
+                  "{:.6g}, {:.6g}) m/s, radius {:.4g} m\n  {}",
+                  what, p.id, time(), p.position.x, p.position.y, p.position.z, p.velocity.x, p.velocity.y,
+                  p.velocity.z, p.radius, remedy));
 }
 
 void Simulation::take_out_escaped(const StepNotice& notice) {
@@ -274,14 +276,14 @@ std::vector<std::uint32_t> Simulation::rebuild(const TouchingList& old_pairs, co
 
   pairs_.rebuild(state_.parcels, margin_, reach_, model_.domain, threads());
   walls_.rebuild(state_.parcels, model_.surfaces, poses_, margin_, body_margin_, reach_, threads());
-  const std::size_t found = pairs_.restore(old_pairs, old_index, state_.parcels, threads()) +
-                            walls_.restore(old_walls, old_index);
+  const std::size_t found =
+      pairs_.restore(old_pairs, old_index, state_.parcels, threads()) + walls_.restore(old_walls, old_index);
 
   // Contacts may end only by separation or with a parcel that was taken out.
   if (old_pairs.begin.size() == count + 1 && found != old_pairs.size() + old_walls.size())
     throw Failure(Exit::internal_check,
-                  fmt::format("a rebuild of the neighbour lists kept {} of {} contacts at t = {:.6g} s", found,
-                              old_pairs.size() + old_walls.size(), time()));
+                  fmt::format("a rebuild of the neighbour lists kept {} of {} contacts at t = {:.6g} s",
+                              found, old_pairs.size() + old_walls.size(), time()));
   return old_index;
 }
 

@@ -9,10 +9,10 @@ namespace pulvis {
 /// so that it starts from where the body is. With phi = -1/4 it also starts from rest. Its peak acceleration
 /// is A (2 pi f)^2. The sine is the engine's own: the same bits on every machine.
 struct SineMotion {
-  double amplitude = 0.0;  ///< A, m
-  double frequency = 0.0;  ///< f, Hz
-  double phase = 0.0;      ///< phi, cycles
-  Vec3 direction{0, 0, 1}; ///< d, unit vector
+  double amplitude = 0.0;   ///< A, m
+  double frequency = 0.0;   ///< f, Hz
+  double phase = 0.0;       ///< phi, cycles
+  Vec3 direction{0, 0, 1};  ///< d, unit vector
 
   /// Displacement a time `t` (s) after the start, m.
   Vec3 displacement(double t) const;

@@ -47,10 +47,14 @@ bool contains(const std::vector<std::string>& list, const char* name) {
 
 NearestPoint nearest_point(const Surface& s, const Vec3& p) {
   switch (s.kind) {
-    case Surface::Kind::rectangle: return nearest_on_rectangle(s, p);
-    case Surface::Kind::disc: return nearest_on_disc(s, p);
-    case Surface::Kind::tube: return nearest_on_tube(s, p);
-    case Surface::Kind::plane: break;
+    case Surface::Kind::rectangle:
+      return nearest_on_rectangle(s, p);
+    case Surface::Kind::disc:
+      return nearest_on_disc(s, p);
+    case Surface::Kind::tube:
+      return nearest_on_tube(s, p);
+    case Surface::Kind::plane:
+      break;
   }
   const double height = dot(p - s.centre, s.normal);
   return {p - height * s.normal, true, height};

@@ -225,6 +225,8 @@ std::unique_ptr<ContactBlock> random_block(const laws::LawEntry& law, std::uint6
     block->mass[k] = block->mass_first[k];
     block->arm_first[k] = r1 - overlap;
     block->arm_second[k] = 0.0;
+    block->half_arm_first[k] = r1 - 0.9 * overlap;
+    block->half_arm_second[k] = 0.0;
   }
   return block;
 }
@@ -249,7 +251,8 @@ void expect_kernel_equals_scalar_law(bool walls) {
           const Vec3 spin_first = get(input->spin_first, k), spin_second = get(input->spin_second, k);
           const double arm_first = block->arm_first[k], arm_second = block->arm_second[k];
           const Vec3 velocity =
-              get(input->velocity, k) + cross(arm_first * spin_first + arm_second * spin_second, half);
+              get(input->velocity, k) +
+              cross(block->half_arm_first[k] * spin_first + block->half_arm_second[k] * spin_second, half);
           const laws::Touch touch{block->overlap[k],
                                   block->radius[k],
                                   block->mass[k],
@@ -281,6 +284,11 @@ void expect_kernel_equals_scalar_law(bool walls) {
           ASSERT_LT(quad_magnitude(block->mass[k] * (m1 + m2) / (m1 * m2) - 1), 1e-15) << where;
           ASSERT_LT(quad_magnitude(arm_first - (r1 - overlap / 2)), 4e-16 * (r1 + r2)) << where;
           ASSERT_LT(quad_magnitude(arm_second - (r2 - overlap / 2)), 4e-16 * (r1 + r2)) << where;
+          const Quad half_overlap = r1 + r2 - norm(before);
+          ASSERT_LT(quad_magnitude(block->half_arm_first[k] - (r1 - half_overlap / 2)), 4e-16 * (r1 + r2))
+              << where;
+          ASSERT_LT(quad_magnitude(block->half_arm_second[k] - (r2 - half_overlap / 2)), 4e-16 * (r1 + r2))
+              << where;
         }
       }
     }

@@ -109,7 +109,7 @@ TEST(LimitOfAPhase, EndsItOtherwiseAndTellsWhatIsMissing) {
   const Json r = run.result();
   EXPECT_EQ(r.at("phases")[0].at("ended_by"), "time_limit");
   ASSERT_FALSE(r.at("warnings").empty());
-  expect_in(r.at("warnings")[0], {"source rain", "phase fill", "time_limit"});
+  expect_in(r.at("warnings").back(), {"source rain", "phase fill", "time_limit"});
   expect_in(run.outcome().err, {"warning: source rain"});
 }
 

@@ -42,7 +42,7 @@ class Journey {
     Ended e{procedure_.phase().name, *by,
             simulation_.state().step - simulation_.state().progress.phase_start};
     for (const Measure& value : m.list) {
-      if (value.name.starts_with("kinetic_energy")) e.kinetic_energy += *value.value;
+      if (value.name == "kinetic_energy_translational") e.kinetic_energy = *value.value;
       if (value.name == "fill_mass") e.fill = *value.value;
     }
     e.displacement = simulation_.body_displacement(0).z;

@@ -24,10 +24,10 @@ namespace pulvis::laws::damping {
 struct Restitution {
   static constexpr const char* name = "restitution";
   struct Pair {
-    double coefficient;          ///< -2 sqrt(5/6) beta, -
-    double normal_stiffness;     ///< S_n/a_d = 2 E*, Pa
-    double tangential_stiffness; ///< S_t/a_d = 8 G*, Pa
-    double on_contact_radius;    ///< 1: a_d is the contact radius, 0: the Hertz radius
+    double coefficient;           ///< -2 sqrt(5/6) beta, -
+    double normal_stiffness;      ///< S_n/a_d = 2 E*, Pa
+    double tangential_stiffness;  ///< S_t/a_d = 8 G*, Pa
+    double on_contact_radius;     ///< 1: a_d is the contact radius, 0: the Hertz radius
   };
 
   static Pair mix(const MaterialPair& pair, const Choices& choices) {

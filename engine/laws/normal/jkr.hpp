@@ -28,9 +28,9 @@ namespace pulvis::laws::normal {
 /// Valid      Tabor number (R* W^2/(E*^2 z0^3))^(1/3) above about 1 (soft, large or sticky); a << R*.
 /// Touch      at delta = 0, where the force jumps from 0 to -(8/9) F_po: nothing acts on approach before.
 /// Separation at delta = -delta_c, where the force jumps from -(5/9) F_po to 0. On the way it passes -F_po.
-/// Energy     each touch and separation loses W_s = 7.0922 (W^5 R*^4/E*^2)^(1/3) J; between them conservative.
-/// Friction   |F_t| <= mu |F + 2 F_po| (C. Thornton, J. Phys. D 24 (1991) 1942, doi:10.1088/0022-3727/24/11/007).
-/// Tests      tests/laws/jkr_test.cpp.
+/// Energy     each touch and separation loses W_s = 7.0922 (W^5 R*^4/E*^2)^(1/3) J; between them
+/// conservative. Friction   |F_t| <= mu |F + 2 F_po| (C. Thornton, J. Phys. D 24 (1991) 1942,
+/// doi:10.1088/0022-3727/24/11/007). Tests      tests/laws/jkr_test.cpp.
 struct Jkr {
   static constexpr const char* name = "jkr";
   struct Pair {
