@@ -85,7 +85,7 @@ bool Procedure::criterion_met(const Phase& p) const {
     const Sight sight = look_at(simulation_);
     return die && measures::fill_inside(sight.spheres, sight.masses, *die).mass >= p.mass;
   }
-  if (seconds < time_to_fall_) return false;
+  if (p.at_least == 0.0 && seconds < time_to_fall_) return false;
   const double limit = p.kinetic_energy.value_or(default_rest_energy_);
   return translational_energy(simulation_) <= limit * static_cast<double>(simulation_.state().parcels.size());
 }
