@@ -8,12 +8,6 @@ namespace {
 
 constexpr int facets = 64;
 
-Vec3 perpendicular(const Vec3& axis) {
-  const Vec3 helper = magnitude(axis.x) < 0.6 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
-  const Vec3 side = cross(axis, helper);
-  return side / norm(side);
-}
-
 /// A convex polygon as a fan of triangles.
 void add_fan(const std::vector<Vec3>& corners, SurfaceMesh& mesh) {
   const auto first = static_cast<std::uint32_t>(mesh.points.size());

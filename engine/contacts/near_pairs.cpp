@@ -2,7 +2,9 @@
 #include "engine/contacts/near_pairs.hpp"
 
 #include <algorithm>
+#include <atomic>
 
+#include "engine/base/failure.hpp"
 #include "engine/base/parallel.hpp"
 
 namespace pulvis {
@@ -45,15 +47,15 @@ void NearPairs::search(const Parcels& parcels, std::span<const double> margin, d
   parallel_shares(count, threads, [&](std::size_t from, std::size_t to, int thread) {
     auto& mine = found[static_cast<std::size_t>(thread)];
     share_begin[static_cast<std::size_t>(thread)] = from;
-    mine.reserve(12 * (to - from));
+    mine.reserve(7 * (to - from));
     for (std::size_t i = from; i < to; ++i) {
       const Vec3 position = parcels.body[i].position;
-      const double own = parcels.body[i].radius + margin[i] + reach;
+      const double own = parcels.body[i].radius + margin[i];
       const std::size_t before = mine.size();
       grid_.for_ranges_around(grid_.cell_of(i), [&](std::uint32_t first_k, std::uint32_t last_k) {
         for (std::uint32_t k = first_k; k < last_k; ++k) {
           const Vec3 d = nearest(candidate[k].position - position);
-          const double far = own + candidate[k].reach;
+          const double far = (own + candidate[k].reach) + reach;  // the same bits seen from either parcel
           if (dot(d, d) < far * far && order[k] != i) mine.push_back(order[k]);
         }
       });
@@ -102,16 +104,21 @@ void NearPairs::assign_slots(const Parcels& parcels, int threads) {
     }
   });
   // The other parcel looks its slot up in the list of the one that numbered it.
+  std::atomic<bool> one_sided{false};
   parallel_shares(count, threads, [&](std::size_t from, std::size_t to, int) {
     for (std::size_t i = from; i < to; ++i)
       for (std::uint32_t k = begin[i]; k < begin[i + 1]; ++k) {
         const std::uint32_t j = partner_[k];
         if (j > i) continue;
-        std::uint32_t at = begin[j];
-        while (partner_[at] != i) ++at;
-        entry[k] = entry[at] ^ 1u;
+        const auto last = partner_.begin() + begin[j + 1];
+        const auto at = std::find(partner_.begin() + begin[j], last, static_cast<std::uint32_t>(i));
+        if (at == last)
+          one_sided = true;
+        else
+          entry[k] = entry[static_cast<std::size_t>(at - partner_.begin())] ^ 1u;
       }
   });
+  if (one_sided) throw Failure(Exit::internal_check, "a near pair is listed by one of its parcels only");
 }
 
 TouchingList NearPairs::pack(const Parcels& parcels, int threads) const {

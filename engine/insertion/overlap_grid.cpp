@@ -2,19 +2,25 @@
 #include "engine/insertion/overlap_grid.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace pulvis {
 
-OverlapGrid::OverlapGrid(const Vec3& low, const Vec3& high, double largest_radius, const Box& domain)
-    : domain_(domain), largest_(largest_radius) {
+OverlapGrid::OverlapGrid(const Vec3& low, const Vec3& high, double largest_radius, const Box& domain,
+                         std::size_t expected)
+    : domain_(domain) {
   // Spheres whose centres lie up to one radius outside the region can still overlap one inside.
   const Vec3 rim{largest_radius, largest_radius, largest_radius};
   low_ = low - rim;
   high_ = high + rim;
+  // A mostly empty region needs no more cells than a few per sphere.
+  const Vec3 extent = high_ - low_;
+  const double most = 4.0 * static_cast<double>(expected) + 4096.0;
+  const double edge = std::max(2.0 * largest_radius, std::cbrt(extent.x * extent.y * extent.z / most));
   std::size_t total = 1;
   for (int axis = 0; axis < 3; ++axis) {
     const double length = high_[axis] - low_[axis];
-    cells_[axis] = std::clamp(static_cast<int>(length / (2.0 * largest_radius)), 1, 256);
+    cells_[axis] = std::clamp(static_cast<int>(length / edge), 1, 1024);
     edge_[axis] = length / cells_[axis];
     total *= static_cast<std::size_t>(cells_[axis]);
   }

@@ -10,8 +10,9 @@ namespace pulvis {
 /// periodic boundaries.
 class OverlapGrid {
  public:
-  /// For spheres of at most `largest_radius` m, asked about inside [low, high].
-  OverlapGrid(const Vec3& low, const Vec3& high, double largest_radius, const Box& domain);
+  /// For some `expected` spheres of at most `largest_radius` m, asked about inside [low, high].
+  OverlapGrid(const Vec3& low, const Vec3& high, double largest_radius, const Box& domain,
+              std::size_t expected);
 
   void add(const Vec3& centre, double radius);
   bool overlaps(const Vec3& centre, double radius) const;
@@ -27,7 +28,6 @@ class OverlapGrid {
   Vec3 low_, high_, edge_;
   int cells_[3];
   Box domain_;
-  double largest_;
   std::vector<std::vector<Ball>> cell_;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -37,13 +38,17 @@ struct SourceState {
   double mass = 0.0;             ///< kg given so far
 };
 
+/// Whether a sphere (centre, radius) touches no wall where the walls stand now.
+using ClearOfWalls = std::function<bool(const Vec3&, double)>;
+inline bool nothing_in_the_way(const Vec3&, double) { return true; }
+
 /// Parcels a source gives at this step, none if none is due. `state` is updated. Positions, sizes and
 /// attempts are drawn from counters (seed, source, number of the parcel), never from the order of threads.
 /// Throws Failure(bad_case) if a pack does not fit, saying how full the region is, or if a parcel is wider
 /// than it.
 std::vector<Parcel> draw_parcels(const SourceModel& model, SourceState& state, std::uint64_t seed,
                                  std::uint32_t stream, std::uint64_t step, double dt, const Parcels& present,
-                                 const Box& domain);
+                                 const Box& domain, const ClearOfWalls& clear = nothing_in_the_way);
 
 /// Steps between two looks at a rain.
 std::uint64_t rain_interval(const SourceModel& model, double dt);

@@ -20,10 +20,10 @@ inline double effective_shear_modulus(double e1, double nu1, double e2, double n
 
 /// Time a Rayleigh wave takes around half a sphere, s:  pi R sqrt(rho/G)/(0.1631 nu + 0.8766).
 /// The denominator fits the root of the Rayleigh equation to 0.3 %.
-/// Source  Y. Li et al., Powder Technol. 156 (2005) 43-49, doi:10.1016/j.powtec.2005.04.002.
+/// Source  Y. Li, Y. Xu, C. Thornton, Powder Technol. 160 (2005) 219-228, doi:10.1016/j.powtec.2005.09.002.
 inline double rayleigh_time(double radius, double density, double young_modulus, double poisson_ratio) {
   const double shear_modulus = young_modulus / (2.0 * (1.0 + poisson_ratio));
-  return 3.14159265358979323846 * radius * root(density / shear_modulus) / (0.1631 * poisson_ratio + 0.8766);
+  return pi * radius * root(density / shear_modulus) / (0.1631 * poisson_ratio + 0.8766);
 }
 
 /// Duration of an elastic Hertz impact at closing speed v, s:  2.8683 (m*^2/(R* E*^2 v))^(1/5).
@@ -47,13 +47,11 @@ inline double hertz_overlap_under(double force, double radius, double modulus) {
 // JKR (see normal/jkr.hpp for sources).
 
 /// F_po = (3/2) pi W R*, N.
-inline double jkr_pull_off(double radius, double work) {
-  return 1.5 * 3.14159265358979323846 * work * radius;
-}
+inline double jkr_pull_off(double radius, double work) { return 1.5 * pi * work * radius; }
 
 /// delta_c = (3/4) (pi^2 W^2 R*/E*^2)^(1/3), m.
 inline double jkr_stretch(double radius, double modulus, double work) {
-  const double ratio = 3.14159265358979323846 * work / modulus;
+  const double ratio = pi * work / modulus;
   return 0.75 * cube_root(ratio * ratio * radius);
 }
 
@@ -76,7 +74,7 @@ inline double jkr_stiffness_at_touch(double radius, double modulus, double work)
 }
 
 /// Energy lost by one touch and separation, J:  W_s = 7.0922 (W^5 R*^4/E*^2)^(1/3).
-/// Source  C. Thornton, Z. Ning, Powder Technol. 99 (1998) 154-162, doi:10.1016/S0032-5910(98)03441-9.
+/// Source  C. Thornton, Z. Ning, Powder Technol. 99 (1998) 154-162, doi:10.1016/S0032-5910(98)00099-0.
 inline double jkr_separation_work(double radius, double modulus, double work) {
   const double w2 = work * work, r2 = radius * radius;
   return 7.0922 * work * cube_root(w2 * r2 * r2 / (modulus * modulus));

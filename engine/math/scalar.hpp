@@ -10,6 +10,8 @@ namespace pulvis {
 // The vocabulary of contact laws: + - * / and these. None of them branches, so loops over contacts
 // become vector code, and each gives the same bits on every machine.
 
+inline constexpr double pi = 3.14159265358979323846;
+
 PULVIS_INLINE double select(bool condition, double yes, double no) { return condition ? yes : no; }
 PULVIS_INLINE double least(double a, double b) { return a < b ? a : b; }
 PULVIS_INLINE double greatest(double a, double b) { return a > b ? a : b; }

@@ -36,8 +36,6 @@ struct Parcels {
 /// Moment of inertia of a solid sphere, kg m^2: (2/5) m r^2.
 PULVIS_INLINE double inertia(const Parcel& p) { return 0.4 * p.mass * (p.radius * p.radius); }
 
-inline double sphere_volume(double radius) {
-  return 4.0 / 3.0 * 3.14159265358979323846 * radius * radius * radius;
-}
+inline double sphere_volume(double radius) { return 4.0 / 3.0 * pi * radius * radius * radius; }
 
 }  // namespace pulvis

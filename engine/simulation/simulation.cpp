@@ -94,12 +94,21 @@ void Simulation::insert_due_parcels() {
       ++state_.ledger.inserted;
       state_.ledger.inserted_mass += p.mass;
     }
+    if (source.done) model_.sources[k].list = {};  // a bed is given once
   }
   if (state_.parcels.size() == before) return;
   const TouchingList old_pairs = pairs_.pack(state_.parcels, threads()), old_walls = walls_.pack();
   auto old_index = same_order(before);
   old_index.resize(state_.parcels.size(), NearPairs::no_parcel);
   rebuild(old_pairs, old_walls, std::move(old_index));
+}
+
+bool Simulation::clear_of_walls(const Vec3& centre, double radius) const {
+  for (const Surface& s : model_.surfaces) {
+    const Vec3 at = centre - poses_[s.body].now;
+    if (norm(nearest_point(s, at).point - at) < radius) return false;
+  }
+  return true;
 }
 
 void Simulation::start_motion(std::size_t motion) { state_.motions[motion] = {true, state_.step}; }

@@ -50,6 +50,7 @@ class Simulation {
 
  private:
   void insert_due_parcels();
+  bool clear_of_walls(const Vec3& centre, double radius) const;
   void move_bodies_to(std::uint64_t step);
   Vec3 displacement_at(std::size_t body, std::uint64_t step) const;
   void take_out_escaped(const StepNotice& notice);
@@ -80,7 +81,7 @@ class Simulation {
   std::vector<double> margin_;        ///< m per parcel
   std::vector<double> body_margin_;   ///< m per body
   std::vector<Crossing> crossings_;
-  std::uint64_t rebuilds_ = 0, last_rebuild_ = 0;
+  std::uint64_t rebuilds_ = 0;
 };
 
 }  // namespace pulvis

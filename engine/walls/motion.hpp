@@ -17,7 +17,7 @@ struct SineMotion {
   /// Displacement a time `t` (s) after the start, m.
   Vec3 displacement(double t) const;
   /// Largest speed it reaches, 2 pi f A, m/s.
-  double peak_speed() const { return 2.0 * 3.14159265358979323846 * frequency * amplitude; }
+  double peak_speed() const { return 2.0 * pi * frequency * amplitude; }
 };
 
 }  // namespace pulvis

@@ -6,13 +6,6 @@
 namespace pulvis {
 namespace {
 
-/// Any unit vector at right angles to `axis`.
-Vec3 perpendicular(const Vec3& axis) {
-  const Vec3 helper = magnitude(axis.x) < 0.6 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
-  const Vec3 side = cross(axis, helper);
-  return side / norm(side);
-}
-
 NearestPoint nearest_on_rectangle(const Surface& s, const Vec3& p) {
   const Vec3 from_centre = p - s.centre;
   const double u = dot(from_centre, s.side[0]), v = dot(from_centre, s.side[1]);

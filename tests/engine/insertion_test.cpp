@@ -320,3 +320,21 @@ TEST(Rain, WaitsWhileItsRegionIsBlockedAndCatchesUpLater) {
 }
 
 }  // namespace
+
+TEST(Source, PutsNoParcelIntoAWallThatCrossesItsRegion) {
+  const Vec3 edge{0.02, 0.02, 0.02};
+  Model m = scenes::one_material({}, {}, {}, edge, 1e-6, 0.25e-3, 1e-3);
+  scenes::add_wall(m, plane_surface("across", {0.01, 0, 0}, {1, 0, 0}));
+  for (const auto kind : {SourceModel::Kind::pack, SourceModel::Kind::rain}) {
+    Model with = m;
+    with.sources.push_back(source(kind, SizeKind::uniform, box_region({0, 0, 0}, edge)));
+    with.sources.back().target_count = 300;
+    with.sources.back().rate = 1.0;
+    Simulation simulation(with, Simulation::initial_state(with), 1);
+    simulation.open_source(0);
+    simulation.step();
+    ASSERT_GT(simulation.state().parcels.size(), 50u);
+    for (const Parcel& p : simulation.state().parcels.body)
+      EXPECT_GE(std::abs(p.position.x - 0.01), p.radius * (1 - 1e-6)) << "parcel " << p.id;
+  }
+}

@@ -32,7 +32,7 @@ struct Restitution {
 
   static Pair mix(const MaterialPair& pair, const Choices& choices) {
     const double log_e = logarithm(pair.restitution);
-    const double beta = log_e / root(log_e * log_e + square(3.14159265358979323846));
+    const double beta = log_e / root(log_e * log_e + square(pi));
     return {-2.0 * root(5.0 / 6.0) * beta, 2.0 * pair.effective_modulus, 8.0 * pair.effective_shear_modulus,
             choices.damping_on_jkr_radius ? 1.0 : 0.0};
   }

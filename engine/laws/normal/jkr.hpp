@@ -23,14 +23,15 @@ namespace pulvis::laws::normal {
 ///
 /// Source     K. L. Johnson, K. Kendall, A. D. Roberts, Proc. R. Soc. Lond. A 324 (1971) 301-313,
 ///            doi:10.1098/rspa.1971.0141, eq. 22-24; equation (2) as in C. Thornton, Z. Ning, Powder
-///            Technol. 99 (1998) 154-162, doi:10.1016/S0032-5910(98)03441-9. W is the work of adhesion of the
+///            Technol. 99 (1998) 154-162, doi:10.1016/S0032-5910(98)00099-0. W is the work of adhesion of the
 ///            pair (= 2 gamma for equal surfaces), not gamma.
 /// Valid      Tabor number (R* W^2/(E*^2 z0^3))^(1/3) above about 1 (soft, large or sticky); a << R*.
 /// Touch      at delta = 0, where the force jumps from 0 to -(8/9) F_po: nothing acts on approach before.
 /// Separation at delta = -delta_c, where the force jumps from -(5/9) F_po to 0. On the way it passes -F_po.
-/// Energy     each touch and separation loses W_s = 7.0922 (W^5 R*^4/E*^2)^(1/3) J; between them
-/// conservative. Friction   |F_t| <= mu |F + 2 F_po| (C. Thornton, J. Phys. D 24 (1991) 1942,
-/// doi:10.1088/0022-3727/24/11/007). Tests      tests/laws/jkr_test.cpp.
+/// Energy     each touch and separation loses W_s = 7.0922 (W^5 R*^4/E*^2)^(1/3) J; conservative between them.
+/// Friction   |F_t| <= mu |F + 2 F_po| (C. Thornton, J. Phys. D: Appl. Phys. 24 (1991) 1942,
+///            doi:10.1088/0022-3727/24/11/007).
+/// Tests      tests/laws/jkr_test.cpp, tests/verification/jkr_collision_test.cpp.
 struct Jkr {
   static constexpr const char* name = "jkr";
   struct Pair {
@@ -43,8 +44,8 @@ struct Jkr {
     // Without adhesion the law is Hertz's. W/E* of 1e-60 m leaves no trace of adhesion in any digit and keeps
     // the formulas finite.
     const double work = greatest(pair.work_of_adhesion, 1e-60 * pair.effective_modulus);
-    const double ratio = 3.14159265358979323846 * work / pair.effective_modulus;
-    return {1.5 * 3.14159265358979323846 * work, 0.75 * cube_root(ratio * ratio), 0.5 * cube_root(ratio)};
+    const double ratio = pi * work / pair.effective_modulus;
+    return {1.5 * pi * work, 0.75 * cube_root(ratio * ratio), 0.5 * cube_root(ratio)};
   }
 
   PULVIS_INLINE static double separation_gap(double radius, const Pair& pair) {

@@ -13,11 +13,11 @@ namespace pulvis::laws::rolling {
 /// omega_r is the relative spin without its part along the normal (no resistance to twisting).
 ///
 /// Source     K. Iwashita, M. Oda, J. Eng. Mech. 124 (1998) 285-292,
-/// doi:10.1061/(ASCE)0733-9399(1998)124:3(285);
-///            J. Ai et al., Powder Technol. 206 (2011) 269-282, doi:10.1016/j.powtec.2010.09.030 (type C);
-///            the stiffness (2) as in the LIGGGHTS family's epsd2.
+///            doi:10.1061/(ASCE)0733-9399(1998)124:3(285); J. Ai et al., Powder Technol. 206 (2011) 269-282,
+///            doi:10.1016/j.powtec.2010.09.030 (type C); stiffness (2) as in the LIGGGHTS family's epsd2.
 /// Symbols    N the limiting normal force (see ContactLaw), mu_r coefficient of rolling friction.
-/// Valid      quasi-static rolling of near-round grains; mu_r stands in for shape.
+/// Valid      quasi-static rolling of near-round grains; mu_r stands in for shape. Small rocking about rest and
+///            spin about the normal are not damped. T is projected, not turned with a shared spin.
 /// Touch      T = 0. Separation: T is forgotten.
 /// Energy     T^2/(2 k_r) stored at fixed k_r; the limit dissipates.
 /// Tests      tests/laws/rolling_test.cpp, tests/verification/incline_test.cpp.

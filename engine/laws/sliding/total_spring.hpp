@@ -15,14 +15,12 @@ namespace pulvis::laws::sliding {
 /// velocity in the mid-step plane: the spring never mixes two instants (velocities synchronised after
 /// D. R. Vyas et al., Comput. Phys. Commun. 310 (2025) 109524, doi:10.1016/j.cpc.2025.109524).
 ///
-/// Source     (2) R. D. Mindlin, J. Appl. Mech. 16 (1949) 259-268, eq. for the no-slip compliance; (1), (3),
-/// (4)
-///            after P. A. Cundall, O. D. L. Strack, Geotechnique 29 (1979) 47-65,
-///            doi:10.1680/geot.1979.29.1.47.
-/// Symbols    N the limiting normal force (see ContactLaw), mu Coulomb's coefficient, c_t from the damping
-/// law. Valid      no micro-slip: stick is one spring. The spring follows the whole displacement, so F_t
-/// changes
-///            with k_t when the contact opens or closes.
+/// Source     (2) R. D. Mindlin, J. Appl. Mech. 16 (1949) 259-268 (compliance without slip); (1), (3), (4) after
+///            P. A. Cundall, O. D. L. Strack, Geotechnique 29 (1979) 47-65, doi:10.1680/geot.1979.29.1.47.
+/// Symbols    N the limiting normal force (see ContactLaw), mu Coulomb's coefficient, c_t from the damping law.
+/// Valid      no micro-slip: stick is one spring. The spring follows the whole displacement, so F_t changes
+///            with k_t when the contact opens or closes. It is projected, not turned with a spin that both
+///            bodies share about the normal.
 /// Touch      xi = 0. Separation: xi is forgotten.
 /// Energy     k_t xi^2/2 stored at fixed k_t; slip and dashpot dissipate.
 /// Tests      tests/laws/sliding_test.cpp, tests/verification/incline_test.cpp.
