@@ -124,14 +124,15 @@ void Progress::draw(const ProgressState& state, double now) {
   } else {
     std::string line(state.phase);
     if (state.fraction) line += fmt::format(" {:.1f} %", 100.0 * *state.fraction);
-    stream_ << line << details(state) << '\n' << std::flush;
+    stream_ << line << details(state, false) << '\n' << std::flush;
   }
   last_draw_ = now;
   drawn_ = true;
 }
 
-std::string Progress::details(const ProgressState& state) const {
-  std::string text = fmt::format(" | t = {:.5g} s | {} parcels", state.simulated_time, state.parcels);
+std::string Progress::details(const ProgressState& state, bool brief) const {
+  std::string text = brief ? fmt::format(" | {:#.3g} s", state.simulated_time)
+                           : fmt::format(" | t = {:.5g} s | {} parcels", state.simulated_time, state.parcels);
   if (const auto rate = step_rate_.per_second())
     text += fmt::format(" | {} particle-steps/s", count_text(*rate));
   if (const auto rate = fraction_rate_.per_second(); rate && state.fraction && *rate > 0.0)
@@ -144,9 +145,12 @@ std::string Progress::bar(const ProgressState& state) const {
   const std::string percent =
       state.fraction ? fmt::format("{:3.0f} %", std::floor(100.0 * std::clamp(*state.fraction, 0.0, 1.0)))
                      : "";
-  const std::string rest = percent + details(state);
   const auto room = static_cast<std::size_t>(std::max(options_.width - 1, 1));
-  const std::size_t needed = columns(head) + columns(rest) + 3;  // brackets and a space
+  const std::size_t needed_besides = columns(head) + 3;  // brackets and a space
+  std::string rest = percent + details(state, false);
+  // A bar of a few marks says more than digits that a narrow terminal would cut off.
+  if (needed_besides + columns(rest) + 5 > room) rest = percent + details(state, true);
+  const std::size_t needed = needed_besides + columns(rest);
   if (!state.fraction || needed + 5 > room) return shortened(head + rest, room);
 
   const std::size_t length = std::min<std::size_t>(longest_bar, room - needed);

@@ -70,7 +70,7 @@ class Progress {
 
   void sample(const ProgressState& state, double now);
   void draw(const ProgressState& state, double now);
-  std::string details(const ProgressState& state) const;
+  std::string details(const ProgressState& state, bool brief) const;
   std::string bar(const ProgressState& state) const;
 
   std::ostream& stream_;

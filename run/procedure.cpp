@@ -8,6 +8,7 @@
 
 #include "engine/base/failure.hpp"
 #include "measures/fill.hpp"
+#include "run/assemble.hpp"
 #include "run/measuring.hpp"
 #include "run/species.hpp"
 
@@ -35,6 +36,7 @@ Procedure::Procedure(const Case& c, Simulation& simulation) : case_(c), simulati
   const double g = std::max(norm(c.gravity), 1e-3);
   default_rest_energy_ = 1e-3 * mass * g * d50;
   time_to_fall_ = std::sqrt(2.0 * d50 / g);
+  for (const Source& source : c.sources) expected_parcels_.push_back(expected_parcels(c, source));
   if (simulation_.state().step == 0 && !finished()) begin_phase();
 }
 
@@ -132,20 +134,39 @@ std::optional<double> Procedure::phase_share() const {
     }
     return share;
   }
-  if (p.time_limit > 0.0) return std::min(1.0, steps * simulation_.model().dt / p.time_limit);
+  const double expected = expected_length(p);
+  if (expected > 0.0) return std::min(0.99, steps * simulation_.model().dt / expected);
   return {};
 }
 
+double Procedure::expected_length(const Phase& p) const {
+  if (const auto planned = planned_steps(p)) return static_cast<double>(*planned) * simulation_.model().dt;
+  double rain = 0.0;
+  for (const std::size_t k : p.sources) {
+    const SourceModel& source = simulation_.model().sources[k];
+    if (source.kind != SourceModel::Kind::rain || source.rate <= 0.0) continue;
+    const double mean_mass = source.density * sphere_volume(0.5) * source.sizes->mean_cube();
+    const double mass = source.target_mass.value_or(mean_mass * static_cast<double>(source.target_count.value_or(0)));
+    rain = std::max(rain, mass / source.rate);
+  }
+  if (rain > 0.0 && p.until == Phase::Until::inserted) return std::max(rain, p.at_least);
+  constexpr double usual_share_of_limit = 0.3;  // limits are set with room to spare
+  return std::max(usual_share_of_limit * p.time_limit, p.at_least);
+}
+
 double Procedure::share() const {
-  const double dt = simulation_.model().dt;
-  double total = 0.0, done = 0.0;
+  // Work grows with time and with the number of parcels: while powder rains, as the square of the share.
+  double total = 0.0, done = 0.0, parcels = 1.0;
   for (std::size_t k = 0; k < case_.phases.size(); ++k) {
     const Phase& p = case_.phases[k];
-    const auto planned = planned_steps(p);
-    const double length = planned ? static_cast<double>(*planned) * dt : std::max(p.time_limit, p.at_least);
-    total += length;
-    if (k < simulation_.state().progress.phase) done += length;
-    if (k == simulation_.state().progress.phase) done += length * phase_share().value_or(0.0);
+    double added = 0.0;
+    for (const std::size_t s : p.sources) added += expected_parcels_[s];
+    const double length = expected_length(p);
+    const auto work = [&](double share) { return length * share * (parcels + 0.5 * added * share); };
+    total += work(1.0);
+    if (k < simulation_.state().progress.phase) done += work(1.0);
+    if (k == simulation_.state().progress.phase) done += work(phase_share().value_or(0.0));
+    parcels += added;
   }
   return total > 0.0 ? done / total : 0.0;
 }

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "case/case.hpp"
 #include "engine/simulation/simulation.hpp"
@@ -29,7 +30,7 @@ class Procedure {
 
   /// Share of the phase that is done as far as its criterion tells, 0 to 1.
   std::optional<double> phase_share() const;
-  /// Share of the whole procedure, by the phases' durations and limits.
+  /// Share of the whole procedure's work (parcels times steps), as far as it can be foreseen.
   double share() const;
 
  private:
@@ -37,11 +38,13 @@ class Procedure {
   void end_phase();
   std::uint64_t steps_in_phase() const;
   std::optional<std::uint64_t> planned_steps(const Phase& phase) const;
+  double expected_length(const Phase& phase) const;  ///< s
   bool criterion_met(const Phase& phase) const;
 
   const Case& case_;
   Simulation& simulation_;
   double default_rest_energy_ = 0.0;  ///< J per parcel
+  std::vector<double> expected_parcels_;  ///< of each source
   double time_to_fall_ = 0.0;         ///< s: what is released at rest has moved by then
 };
 
