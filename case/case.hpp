@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "engine/math/region.hpp"
@@ -155,8 +156,11 @@ struct OutputChoice {
 
 struct Case {
   std::string title;
-  std::string file;           ///< as given
-  std::string text;           ///< the file's text, for the run folder
+  std::string file;  ///< as given
+  std::string text;  ///< the file's text, for the run folder
+  /// Where each table and key that was given is written: {"walls.die", "die.toml:14"} or {"time.step",
+  /// "--set time.step"}; see place_of in reader.hpp.
+  std::vector<std::pair<std::string, std::string>> origins;
   Vec3 gravity{0, 0, -9.81};  ///< m/s^2
   Domain domain;
   Mixing mixing = Mixing::geometric_mean;

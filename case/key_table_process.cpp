@@ -49,7 +49,7 @@ void append_walls(Keys& keys) {
                     .example = "[0, 0, 1]",
                     .standard = "[0, 0, 1]",
                     .only_when = plane,
-                    .help = "direction from the plane to the powder"},
+                    .help = "at right angles to the plane; a plane acts on both sides"},
                });
   append_shape(keys, "walls.*");
 

@@ -56,12 +56,25 @@ std::string text_of_file(const std::string& path) {
   return text;
 }
 
+void list_origins(const Section& section, const ProblemList& problems,
+                  std::vector<std::pair<std::string, std::string>>& origins) {
+  if (section.given && !section.path.empty())
+    origins.emplace_back(section.path, problems.describe(section.place));
+  for (const auto& [key, setting] : section.settings)
+    if (setting.given) origins.emplace_back(setting.path, problems.describe(setting.place));
+  for (const auto& [key, table] : section.tables) list_origins(table, problems, origins);
+  for (const auto& [key, group] : section.groups)
+    for (const Section& element : group) list_origins(element, problems, origins);
+}
+
 }  // namespace
 
 Case read_case_text(const std::string& text, const std::string& name,
                     const std::vector<Override>& overrides) {
   ProblemList problems(name, text);
-  Case result = build_case(checked_sections(text, overrides, problems), name);
+  const Section sections = checked_sections(text, overrides, problems);
+  Case result = build_case(sections, name);
+  list_origins(sections, problems, result.origins);
   result.file = name;
   result.text = text;
   return result;
@@ -69,6 +82,16 @@ Case read_case_text(const std::string& text, const std::string& name,
 
 Case read_case(const std::string& path, const std::vector<Override>& overrides) {
   return read_case_text(text_of_file(path), path, overrides);
+}
+
+std::string place_of(const Case& c, std::string key) {
+  while (true) {
+    for (const auto& [written, place] : c.origins)
+      if (written == key) return place;
+    const std::size_t dot = key.rfind('.');
+    if (dot == std::string::npos) return c.file;
+    key.resize(dot);
+  }
 }
 
 std::vector<ResolvedKey> resolved(const std::string& text, const std::string& name,

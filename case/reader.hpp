@@ -17,6 +17,10 @@ Case read_case(const std::string& path, const std::vector<Override>& overrides =
 Case read_case_text(const std::string& text, const std::string& name,
                     const std::vector<Override>& overrides = {});
 
+/// Where a key or table of the case is written ("die.toml:14", "--set KEY"), for messages about what only
+/// shows when the case is put together; if it is not given, where the nearest table around it is, or the file.
+std::string place_of(const Case& c, std::string key);
+
 /// A key of a case with its value and where that comes from.
 struct ResolvedKey {
   std::string key;     ///< "materials.steel.density"

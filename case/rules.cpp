@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <set>
 #include <utility>
@@ -12,6 +13,8 @@ namespace pulvis::case_file {
 namespace {
 
 constexpr const char* axis_names = "xyz";
+
+constexpr double rounding = 1e-9;  // m; of what is computed from several keys
 
 std::string length_text(double value) { return format_quantity(value, dimension::length, 6); }
 
@@ -35,8 +38,37 @@ bool is_shape(const Section& section, const std::string& shape) {
   return text != nullptr && *text == shape;
 }
 
-// What appears outside the domain would be lost at once.
+// How far an upright or tilted cylinder reaches along an axis.
+std::optional<std::pair<double, double>> reach_of_cylinder(const Section& shape, std::size_t along) {
+  const Setting *base = shape.find("base"), *radius = shape.find("radius"), *height = shape.find("height");
+  if (base == nullptr || radius == nullptr || height == nullptr || shape.find("axis") == nullptr)
+    return std::nullopt;
+  const double direction = shape.unit_vector("axis")[static_cast<int>(along)];
+  const double side = radius->numbers[0] * std::sqrt(std::max(1.0 - direction * direction, 0.0));
+  const double start = base->numbers[along], end = start + direction * height->numbers[0];
+  return std::pair(std::min(start, end) - side, std::max(start, end) + side);
+}
+
+void cylinder_inside_domain(const Section& region, const Section& domain, ProblemList& problems) {
+  const Setting *low = domain.find("min"), *high = domain.find("max");
+  if (!is_shape(region, "cylinder") || low == nullptr || high == nullptr) return;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto reach = reach_of_cylinder(region, axis);
+    if (!reach || low->numbers[axis] >= high->numbers[axis]) continue;
+    const bool below = reach->first < low->numbers[axis] - rounding;
+    if (!below && reach->second <= high->numbers[axis] + rounding) continue;
+    const Setting& bound = below ? *low : *high;
+    problems.add(region.place_of("base"),
+                 fmt::format("{} reaches outside the domain along {}: to {}", region.path, axis_names[axis],
+                             length_text(below ? reach->first : reach->second)),
+                 fmt::format("expected {} {} ({})", below ? "at least" : "at most",
+                             length_text(bound.numbers[axis]), bound.path));
+  }
+}
+
+// What appears outside the domain would be lost at once; along a periodic axis, too, positions are inside.
 void inside_domain(const Section& region, const Section& domain, ProblemList& problems) {
+  cylinder_inside_domain(region, domain, problems);
   const Setting *low = domain.find("min"), *high = domain.find("max");
   const Setting *min = region.find("min"), *max = region.find("max");
   if (!is_shape(region, "box") || low == nullptr || high == nullptr || min == nullptr || max == nullptr)
@@ -53,6 +85,44 @@ void inside_domain(const Section& region, const Section& domain, ProblemList& pr
                  fmt::format("expected {} {} ({})", below ? "at least" : "at most",
                              length_text(bound.numbers[axis]), bound.path));
   }
+}
+
+std::optional<std::pair<double, double>> reach_of(const Section& shape, std::size_t axis) {
+  if (is_shape(shape, "cylinder")) return reach_of_cylinder(shape, axis);
+  const Setting *min = shape.find("min"), *max = shape.find("max");
+  if (min == nullptr || max == nullptr) return std::nullopt;
+  return std::pair(min->numbers[axis], max->numbers[axis]);
+}
+
+// Parcels meet a wall where it is written, not its images: what lies beyond a periodic end holds nothing.
+void wall_fits_periodic_axis(const Section& wall, const Section& domain, std::size_t axis,
+                             ProblemList& problems) {
+  if (is_shape(wall, "plane")) {
+    if (wall.find("normal") == nullptr || wall.unit_vector("normal")[static_cast<int>(axis)] == 0.0) return;
+    return problems.add(wall.place_of("normal"),
+                        fmt::format("{} cuts the periodic axis {}", wall.path, axis_names[axis]),
+                        fmt::format("expected a normal without a part along {}", axis_names[axis]));
+  }
+  const Setting *low = domain.find("min"), *high = domain.find("max");
+  const auto reach = reach_of(wall, axis);
+  if (low == nullptr || high == nullptr || !reach) return;
+  if (low->numbers[axis] >= high->numbers[axis]) return;  // reported at the domain
+  if (reach->first >= low->numbers[axis] - rounding && reach->second <= high->numbers[axis] + rounding)
+    return;
+  problems.add(
+      wall.place,
+      fmt::format("{} reaches beyond the domain along the periodic axis {}: {} to {}", wall.path,
+                  axis_names[axis], length_text(reach->first), length_text(reach->second)),
+      fmt::format("expected {} to {}", length_text(low->numbers[axis]), length_text(high->numbers[axis])));
+}
+
+void walls_fit_periodic_axes(const Section& root, ProblemList& problems) {
+  const Section& domain = root.table("domain");
+  const Setting* periodic = domain.find("periodic");
+  if (periodic == nullptr) return;
+  for (const Section& wall : root.group("walls"))
+    for (const std::string& axis : periodic->texts)
+      wall_fits_periodic_axis(wall, domain, static_cast<std::size_t>(axis.front() - 'x'), problems);
 }
 
 void pairs_once(const Section& root, ProblemList& problems) {
@@ -229,6 +299,7 @@ void check_rules(const Section& root, ProblemList& problems) {
       problems.add(region.place_of("shape"), region.path + ".shape: rain falls out of a box",
                    "expected \"box\"");
   }
+  walls_fit_periodic_axes(root, problems);
   which_powder(root, problems);
   what_is_measured(root, problems);
   die_is_wide_enough(root, problems);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "case/reader.hpp"
 #include "case/units.hpp"
 #include "engine/base/failure.hpp"
 #include "run/bed_file.hpp"
@@ -16,19 +17,52 @@ namespace {
 
 constexpr double densest_random_pack = 0.36;  // random sequential placement stops near 0.38
 
-[[noreturn]] void fail(const Case& c, const std::string& message) {
-  throw Failure(Exit::bad_case, fmt::format("{}: error: {}", c.file, message));
-}
+constexpr double rounding = 1e-9;              // m; shapes that touch do not cut each other
+constexpr double most_parcels = 2147483647.0;  // ids have 31 bits
+
+/// What does not fit together in a case, collected so that the user sees all of it at once.
+class Problems {
+ public:
+  explicit Problems(const Case& c) : case_(c) {}
+  /// `key`: the key or table of the case to point at.
+  void add(const std::string& key, const std::string& message) {
+    text_ += fmt::format("{}{}: error: {}", text_.empty() ? "" : "\n", place_of(case_, key), message);
+  }
+  void throw_if_any() const {
+    if (!text_.empty()) throw Failure(Exit::bad_case, text_);
+  }
+
+ private:
+  const Case& case_;
+  std::string text_;
+};
 
 std::string in_mm(double metres) { return format_quantity(metres, dimension::length); }
 
-void check_coarse_graining(const Case& c) {
+void check_coarse_graining(const Case& c, Problems& problems) {
+  const Powder& first = c.powders.front();
   for (const Powder& p : c.powders)
-    if (p.coarse_graining != c.powders.front().coarse_graining)
-      fail(c,
-           fmt::format("powders {} and {} have different coarse_graining ({:g} and {:g}); contacts between "
-                       "them would have no similarity\n  give all powders of a case the same factor",
-                       c.powders.front().name, p.name, c.powders.front().coarse_graining, p.coarse_graining));
+    if (p.coarse_graining != first.coarse_graining)
+      problems.add(
+          fmt::format("powders.{}.coarse_graining", p.name),
+          fmt::format("powders {} and {} have different coarse_graining ({:g} and {:g}); contacts between "
+                      "them would have no similarity\n  give all powders of a case the same factor",
+                      first.name, p.name, first.coarse_graining, p.coarse_graining));
+}
+
+/// A pair of softened powders has one adhesion, which cannot keep both the pull-off and the sticking speed.
+void check_keep(const Case& c, const Assembly& a, Problems& problems) {
+  for (const PairProperties& pair : a.pairs) {
+    const Species &s1 = a.species[pair.first], &s2 = a.species[pair.second];
+    if (!s1.is_softened() || !s2.is_softened() || pair.real.work_of_adhesion == 0.0) continue;
+    const Powder &first = c.powders[s1.powder], &second = c.powders[s2.powder];
+    if (first.keep == second.keep) continue;
+    problems.add(
+        fmt::format("powders.{}.keep", second.name),
+        fmt::format("powders {} and {} are both softened, but differ in what they keep; the adhesion "
+                    "between them cannot follow both\n  give them the same keep",
+                    first.name, second.name));
+  }
 }
 
 ContactClasses contact_classes(const Case& c, const std::vector<Species>& species,
@@ -39,7 +73,7 @@ ContactClasses contact_classes(const Case& c, const std::vector<Species>& specie
   ContactClasses classes(species.size());
   for (const PairProperties& p : pairs) {
     ContactClass contact;
-    // Without adhesion JKR is Hertz (its formulas would divide zero by zero).
+    // Without adhesion Hertz is the limit of JKR, and cheaper.
     const bool plain = c.contact.normal == "jkr" && p.simulated.work_of_adhesion == 0.0;
     contact.law = laws::find_law(plain ? "hertz" : c.contact.normal, c.contact.damping, c.contact.sliding,
                                  c.contact.rolling);
@@ -50,7 +84,7 @@ ContactClasses contact_classes(const Case& c, const std::vector<Species>& specie
   return classes;
 }
 
-void check_against_parcels(const Case& c, const Wall& wall, double largest_diameter) {
+void check_against_parcels(const Wall& wall, double largest_diameter, Problems& problems) {
   double narrowest = 1e300;
   if (wall.shape == Wall::Shape::box)
     for (int axis = 0; axis < 3; ++axis)
@@ -58,14 +92,15 @@ void check_against_parcels(const Case& c, const Wall& wall, double largest_diame
   else if (wall.shape == Wall::Shape::cylinder)
     narrowest = std::min(2.0 * wall.region.radius, wall.region.height);
   if (narrowest < 3.0 * largest_diameter)
-    fail(c, fmt::format("walls.{} is only {} wide, less than three of the largest parcels ({})\n  lower "
-                        "coarse_graining, or check the units of the wall: is it in mm?",
-                        wall.name, in_mm(narrowest), in_mm(largest_diameter)));
+    problems.add("walls." + wall.name,
+                 fmt::format("walls.{} is only {} wide, less than three of the largest parcels ({})\n  lower "
+                             "coarse_graining, or check the units of the wall: is it in mm?",
+                             wall.name, in_mm(narrowest), in_mm(largest_diameter)));
 }
 
-void add_walls(const Case& c, const std::vector<Species>& species, double largest_diameter, Model& model) {
+void add_walls(const Case& c, const std::vector<Species>& species, Model& model, Problems& problems) {
   for (const Wall& wall : c.walls) {
-    check_against_parcels(c, wall, largest_diameter);
+    check_against_parcels(wall, 2.0 * model.largest_radius, problems);
     Body body;
     body.name = wall.name;
     body.species = static_cast<std::uint32_t>(species_of_material(species, wall.material));
@@ -96,31 +131,103 @@ double volume_of(const Region& r) {
   return e.x * e.y * e.z;
 }
 
-void check_region(const Case& c, const Source& source, const SizeSampler& sizes) {
+/// Points of a region, its corners and rims among them.
+std::vector<Vec3> samples_of(const Region& r) {
+  constexpr int steps = 16;
+  std::vector<Vec3> points;
+  const Vec3 helper = std::abs(r.axis.x) < 0.6 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
+  const Vec3 across = cross(r.axis, helper), u = across / norm(across), v = cross(r.axis, u);
+  for (int i = 0; i <= steps; ++i)
+    for (int j = 0; j <= steps; ++j)
+      for (int k = 0; k <= steps; ++k) {
+        const double a = i / double(steps), b = j / double(steps), h = k / double(steps);
+        const Vec3 e = r.max - r.min;
+        const double turn = 2.0 * pi * b, out = a * r.radius;
+        points.push_back(r.shape == Region::Shape::box
+                             ? r.min + Vec3{a * e.x, b * e.y, h * e.z}
+                             : r.base + h * r.height * r.axis + out * std::cos(turn) * u +
+                                   out * std::sin(turn) * v);
+      }
+  return points;
+}
+
+/// Whether parts of a region lie on both sides of a surface, within its edges. Regions are convex, so that
+/// the surface then passes through; of a finite one a corner can go unseen between the samples.
+bool passes_through(const Surface& s, const std::vector<Vec3>& samples) {
+  bool before = false, behind = false;
+  for (const Vec3& p : samples) {
+    const NearestPoint nearest = nearest_point(s, p);
+    if (!nearest.in_face) continue;
+    behind = behind || nearest.elevation < -rounding;
+    before = before || nearest.elevation > rounding;
+  }
+  return before && behind;
+}
+
+/// The same for a rectangle along the axes and a box, exactly.
+bool rectangle_passes_through(const Surface& s, const Region& box) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const double half = std::abs(s.side[0][axis]) * s.half[0] + std::abs(s.side[1][axis]) * s.half[1];
+    if (s.centre[axis] + half <= box.min[axis] + rounding) return false;
+    if (s.centre[axis] - half >= box.max[axis] - rounding) return false;
+  }
+  return true;
+}
+
+/// Parcels that appear in a wall are pushed out of it at any speed, on either side.
+void check_walls_in_region(const Source& source, const std::vector<Surface>& surfaces, Problems& problems) {
+  const bool box = source.region.shape == Region::Shape::box;
+  const std::vector<Vec3> samples = samples_of(source.region);
+  for (const Surface& s : surfaces) {
+    const bool exact = box && s.kind == Surface::Kind::rectangle;
+    if (!(exact ? rectangle_passes_through(s, source.region) : passes_through(s, samples))) continue;
+    problems.add(
+        fmt::format("sources.{}.region", source.name),
+        fmt::format("the wall {} passes through sources.{}.region; parcels would appear in the wall\n"
+                    "  keep the region on one side of it",
+                    s.name, source.name));
+  }
+}
+
+void check_region(const Case& c, const Source& source, const SizeSampler& sizes, Problems& problems) {
   const Region& r = source.region;
   const double narrowest = r.shape == Region::Shape::cylinder
                                ? std::min(2.0 * r.radius, r.height)
                                : std::min({r.max.x - r.min.x, r.max.y - r.min.y, r.max.z - r.min.z});
   if (narrowest < sizes.largest())
-    fail(c, fmt::format(
-                "sources.{}.region is {} thin and cannot hold the largest parcel ({})\n  enlarge the region "
-                "or lower coarse_graining",
-                source.name, in_mm(narrowest), in_mm(sizes.largest())));
+    problems.add(
+        fmt::format("sources.{}.region", source.name),
+        fmt::format(
+            "sources.{}.region is {} thin and cannot hold the largest parcel ({})\n  enlarge the region "
+            "or lower coarse_graining",
+            source.name, in_mm(narrowest), in_mm(sizes.largest())));
   if (source.kind != Source::Kind::pack) return;
   const double parcels = expected_parcels(c, source);
   const double solid = parcels * sphere_volume(0.5) * sizes.mean_cube() / volume_of(r);
   if (solid > densest_random_pack)
-    fail(c, fmt::format(
-                "sources.{} asks for {:.0f} parcels, {:.0f} % of its region; a random pack without overlap "
-                "holds at most about {:.0f} % ({:.0f} parcels)\n  ask for less, enlarge the region, or let "
-                "it rain",
-                source.name, parcels, 100 * solid, 100 * densest_random_pack,
-                parcels * densest_random_pack / solid));
+    problems.add(
+        "sources." + source.name,
+        fmt::format(
+            "sources.{} asks for {:.0f} parcels, {:.0f} % of its region; a random pack without overlap "
+            "holds at most about {:.0f} % ({:.0f} parcels)\n  ask for less, enlarge the region, or let "
+            "it rain",
+            source.name, parcels, 100 * solid, 100 * densest_random_pack,
+            parcels * densest_random_pack / solid));
+}
+
+void check_count(const Case& c, Problems& problems) {
+  for (const Source& source : c.sources)
+    if (const double parcels = expected_parcels(c, source); parcels > most_parcels)
+      problems.add(
+          "sources." + source.name,
+          fmt::format("sources.{} asks for {:.4g} parcels; a run holds at most {:.0f}\n  ask for less, "
+                      "or raise coarse_graining",
+                      source.name, parcels, most_parcels));
 }
 
 /// The parcels of each source that is a bed in a file.
-std::vector<std::vector<Parcel>> read_beds(const Case& c, const Box& domain) {
-  std::vector<std::vector<Parcel>> beds(c.sources.size());
+std::vector<Bed> read_beds(const Case& c, const Box& domain) {
+  std::vector<Bed> beds(c.sources.size());
   for (std::size_t k = 0; k < c.sources.size(); ++k) {
     const Source& source = c.sources[k];
     if (source.kind != Source::Kind::file) continue;
@@ -133,13 +240,80 @@ std::vector<std::vector<Parcel>> read_beds(const Case& c, const Box& domain) {
 /// Radius of the smallest parcel of each powder, m, by species: a bed may have smaller ones than the case
 /// says, and the time step must hold for them too.
 std::vector<double> smallest_radii(const Case& c, const std::vector<Species>& species,
-                                   const std::vector<std::vector<Parcel>>& beds) {
+                                   const std::vector<Bed>& beds) {
   std::vector<double> smallest(species.size(), 0.0);
   for (std::size_t k = 0; k < c.powders.size(); ++k)
     smallest[species_of_powder(k)] = 0.5 * SizeSampler(parcel_sizes(c.powders[k])).smallest();
-  for (const auto& bed : beds)
-    for (const Parcel& p : bed) smallest[p.species] = std::min(smallest[p.species], p.radius);
+  for (const Bed& bed : beds)
+    for (const Parcel& p : bed.parcels) smallest[p.species] = std::min(smallest[p.species], p.radius);
   return smallest;
+}
+
+/// Radii of all parcels that can appear: those of the powders and of the beds.
+void find_radii(const Case& c, const std::vector<Bed>& beds, Model& m) {
+  m.smallest_radius = 1e300;
+  const auto add = [&](double smallest, double largest) {
+    m.smallest_radius = std::min(m.smallest_radius, smallest);
+    m.largest_radius = std::max(m.largest_radius, largest);
+  };
+  for (const Powder& powder : c.powders) {
+    const SizeSampler sizes(parcel_sizes(powder));
+    add(0.5 * sizes.smallest(), 0.5 * sizes.largest());
+  }
+  for (const Bed& bed : beds)
+    for (const Parcel& p : bed.parcels) add(p.radius, p.radius);
+}
+
+void check_periodic_widths(const Model& m, Problems& problems) {
+  for (int axis = 0; axis < 3; ++axis)
+    if (m.domain.periodic[axis] && m.domain.extent()[axis] < 6.0 * m.largest_radius)
+      problems.add(
+          "domain",
+          fmt::format(
+              "the periodic domain is narrower than three parcels ({}) along {}\n  enlarge it or lower "
+              "coarse_graining",
+              in_mm(2.0 * m.largest_radius), "xyz"[axis]));
+}
+
+/// Distance of a centre to the nearest surface over the radius, and which surface that is.
+std::pair<double, const Surface*> nearest_surface(const std::vector<Surface>& surfaces, const Parcel& p) {
+  std::pair<double, const Surface*> result{1e300, nullptr};
+  for (const Surface& s : surfaces) {
+    const double distance = norm(nearest_point(s, p.position).point - p.position) / p.radius;
+    if (distance < result.first) result = {distance, &s};
+  }
+  return result;
+}
+
+/// A bed that sits in a wall was made for another die; its parcels would be thrown out of the wall.
+void check_bed_against_walls(const std::string& path, const Bed& bed, const std::vector<Surface>& surfaces) {
+  constexpr double closest = 0.5;  // radii; contacts never come near it
+  std::size_t count = 0, worst = 0;
+  std::pair<double, const Surface*> least{closest, nullptr};
+  for (std::size_t k = 0; k < bed.parcels.size(); ++k) {
+    const auto found = nearest_surface(surfaces, bed.parcels[k]);
+    if (found.first >= closest) continue;
+    ++count;
+    if (found.first < least.first) least = found, worst = k;
+  }
+  if (count == 0) return;
+  throw Failure(
+      Exit::bad_input,
+      fmt::format("{}: error: {} of {} parcels lie in a wall, with their centres closer to it than "
+                  "half a radius; worst is parcel {}, {:.2g} radii from {}\n  was the bed made with "
+                  "these walls? Move them, or take another bed",
+                  path, count, bed.parcels.size(), bed.ids[worst], least.first, least.second->name));
+}
+
+void check_motions(const Case& c, const Model& m, Problems& problems) {
+  for (std::size_t k = 0; k < m.motions.size(); ++k)
+    if (const double leap = m.motions[k].peak_speed() * m.dt; leap > 0.05 * m.smallest_radius)
+      problems.add(
+          "motions." + c.motions[k].name,
+          fmt::format(
+              "a wall moves {} in one time step, more than 5 % of the smallest radius ({})\n  lower the "
+              "motion's amplitude or frequency, or time.fraction",
+              in_mm(leap), in_mm(m.smallest_radius)));
 }
 
 SourceModel source_model(const Case& c, const Source& source, std::vector<Parcel> bed) {
@@ -166,7 +340,6 @@ SourceModel source_model(const Case& c, const Source& source, std::vector<Parcel
       m.list = std::move(bed);
       return m;
   }
-  check_region(c, source, *m.sizes);
   return m;
 }
 
@@ -182,50 +355,43 @@ double expected_parcels(const Case& c, const Source& source) {
 }
 
 Assembly assemble(const Case& c) {
-  if (c.powders.empty()) fail(c, "there is no powder\n  add a table [powders.NAME]");
-  check_coarse_graining(c);
+  Problems problems(c);
+  if (c.powders.empty()) problems.add("powders", "there is no powder\n  add a table [powders.NAME]");
+  problems.throw_if_any();
+  check_coarse_graining(c, problems);
+  check_count(c, problems);
   Assembly a;
   a.species = species_of(c);
   a.pairs = mix_pairs(c, a.species);
+  check_keep(c, a, problems);
 
   Model& m = a.model;
   m.domain.min = c.domain.min;
   m.domain.max = c.domain.max;
   for (int axis = 0; axis < 3; ++axis) m.domain.periodic[axis] = c.domain.periodic[axis];
   auto beds = read_beds(c, m.domain);
+  find_radii(c, beds, m);
   a.time_step = choose_time_step(c, a.species, a.pairs, smallest_radii(c, a.species, beds));
+  if (const std::string wrong = step_problem(c, a.time_step); !wrong.empty())
+    problems.add("time.step", wrong);
   m.gravity = c.gravity;
   m.dt = a.time_step.step;
   m.seed = c.seed;
-  m.smallest_radius = 1e300;
-  for (const Powder& powder : c.powders) {
-    const SizeSampler sizes(parcel_sizes(powder));
-    m.smallest_radius = std::min(m.smallest_radius, 0.5 * sizes.smallest());
-    m.largest_radius = std::max(m.largest_radius, 0.5 * sizes.largest());
-  }
-  for (int axis = 0; axis < 3; ++axis)
-    if (m.domain.periodic[axis] && m.domain.extent()[axis] < 6.0 * m.largest_radius)
-      fail(c, fmt::format(
-                  "the periodic domain is narrower than three parcels ({}) along {}\n  enlarge it or lower "
-                  "coarse_graining",
-                  in_mm(2.0 * m.largest_radius), "xyz"[axis]));
+  check_periodic_widths(m, problems);
   for (const Motion& motion : c.motions)
     m.motions.push_back({motion.amplitude, motion.frequency, motion.phase, motion.direction});
   m.classes = contact_classes(c, a.species, a.pairs);
-  add_walls(c, a.species, 2.0 * m.largest_radius, m);
+  add_walls(c, a.species, m, problems);
   for (std::size_t k = 0; k < c.sources.size(); ++k) {
-    m.sources.push_back(source_model(c, c.sources[k], std::move(beds[k])));
-    for (const Parcel& p : m.sources.back().list) {
-      m.smallest_radius = std::min(m.smallest_radius, p.radius);
-      m.largest_radius = std::max(m.largest_radius, p.radius);
-    }
+    m.sources.push_back(source_model(c, c.sources[k], beds[k].parcels));
+    if (c.sources[k].kind == Source::Kind::file) continue;
+    check_region(c, c.sources[k], *m.sources.back().sizes, problems);
+    check_walls_in_region(c.sources[k], m.surfaces, problems);
   }
-  for (const SineMotion& motion : m.motions)
-    if (motion.peak_speed() * m.dt > 0.05 * m.smallest_radius)
-      fail(c, fmt::format(
-                  "a wall moves {} in one time step, more than 5 % of the smallest radius ({})\n  lower the "
-                  "motion's amplitude or frequency, or time.fraction",
-                  in_mm(motion.peak_speed() * m.dt), in_mm(m.smallest_radius)));
+  check_motions(c, m, problems);
+  problems.throw_if_any();
+  for (std::size_t k = 0; k < c.sources.size(); ++k)
+    check_bed_against_walls(c.sources[k].path, beds[k], m.surfaces);
   return a;
 }
 

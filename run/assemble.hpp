@@ -17,9 +17,9 @@ struct Assembly {
   Model model;
 };
 
-/// Builds the model of a case. Throws Failure(bad_case) where the parts of the case do not fit together (a
-/// die smaller than three parcels, a region too full, powders with different coarse graining), Failure
-/// (bad_input) for a bed that cannot be read.
+/// Builds the model of a case. Throws Failure(bad_case) with the place and remedy of everything that does not
+/// fit together (a die smaller than three parcels, a region too full or cut by a wall, powders with different
+/// coarse graining), Failure(bad_input) for a bed that cannot be read or sits in a wall.
 Assembly assemble(const Case& c);
 
 /// Parcels a source will give: its count, or its mass over the mean parcel mass (rounded).

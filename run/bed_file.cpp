@@ -8,6 +8,7 @@
 #include <cmath>
 #include <fstream>
 #include <map>
+#include <optional>
 #include <sstream>
 
 #include "engine/base/failure.hpp"
@@ -34,7 +35,8 @@ class DumpReader {
     std::vector<Row> rows;
     bool any = false;
     while (next_line()) {
-      if (line_.rfind("ITEM: TIMESTEP", 0) != 0)
+      skip_units_and_time();
+      if (!starts("ITEM: TIMESTEP"))
         fail("expected \"ITEM: TIMESTEP\"; this is not a LIGGGHTS or LAMMPS text dump");
       rows = frame();
       any = true;
@@ -58,6 +60,20 @@ class DumpReader {
     if (!next_line()) fail(fmt::format("the file ends where {} should follow; was it cut off?", what));
   }
 
+  bool starts(const char* item) const { return line_.rfind(item, 0) == 0; }
+
+  // What LAMMPS writes ahead of a frame with "dump_modify units yes time yes".
+  void skip_units_and_time() {
+    while (starts("ITEM: UNITS") || (starts("ITEM: TIME") && !starts("ITEM: TIMESTEP"))) {
+      const bool units = starts("ITEM: UNITS");
+      need_line("the value of this item");
+      // "lj" has no units of its own; granular scripts use it for SI numbers.
+      if (units && line_ != "si" && line_ != "lj")
+        fail(fmt::format("the dump is in units \"{}\"; dumps must be in SI units", line_.substr(0, 40)));
+      need_line("ITEM: TIMESTEP");
+    }
+  }
+
   double number_in(const std::string& word) const {
     double value = 0.0;
     const auto end = word.data() + word.size();
@@ -70,17 +86,18 @@ class DumpReader {
   std::vector<Row> frame() {
     need_line("the time step");
     need_line("ITEM: NUMBER OF ATOMS");
-    if (line_.rfind("ITEM: NUMBER OF ATOMS", 0) != 0) fail("expected \"ITEM: NUMBER OF ATOMS\"");
+    if (!starts("ITEM: NUMBER OF ATOMS")) fail("expected \"ITEM: NUMBER OF ATOMS\"");
     need_line("the number of atoms");
     const double count = number_in(line_);
     if (count < 0 || count > static_cast<double>(most_parcels) || count != std::floor(count))
       fail("the number of atoms makes no sense");
     need_line("ITEM: BOX BOUNDS");
-    if (line_.rfind("ITEM: BOX BOUNDS", 0) != 0) fail("expected \"ITEM: BOX BOUNDS\"");
+    if (!starts("ITEM: BOX BOUNDS")) fail("expected \"ITEM: BOX BOUNDS\"");
     for (int axis = 0; axis < 3; ++axis) need_line("the bounds of the box");
     need_line("ITEM: ATOMS");
-    if (line_.rfind("ITEM: ATOMS", 0) != 0) fail("expected \"ITEM: ATOMS\" with the names of the columns");
+    if (!starts("ITEM: ATOMS")) fail("expected \"ITEM: ATOMS\" with the names of the columns");
     find_columns();
+    type_.reset();
     std::vector<Row> rows;
     for (std::uint64_t k = 0; k < static_cast<std::uint64_t>(count); ++k) {
       need_line("an atom");
@@ -99,7 +116,17 @@ class DumpReader {
     if (!column_.count("radius") && !column_.count("diameter")) fail("the dump has no column \"radius\"");
   }
 
-  Row row() const {
+  // A bed is of one powder; parcels of a second one would silently turn into the first.
+  void check_type(double type) {
+    if (type_ && *type_ != type)
+      fail(
+          fmt::format("the dump has atoms of type {:g} and of type {:g}; a bed is of one powder\n  write one "
+                      "dump for each type, and give each a source of its own",
+                      *type_, type));
+    type_ = type;
+  }
+
+  Row row() {
     std::istringstream words(line_);
     std::vector<std::string> cells;
     for (std::string word; words >> word;) cells.push_back(word);
@@ -111,7 +138,9 @@ class DumpReader {
     };
     Row r;
     const double id = value("id");
-    if (id < 0 || id > 4e15) fail("an id that makes no sense");
+    if (id < 0 || id > 4e15 || id != std::floor(id))
+      fail(fmt::format("the id {} is no whole number that can be", cells[column_.at("id")].substr(0, 40)));
+    if (column_.count("type")) check_type(value("type"));
     r.id = static_cast<std::uint64_t>(id);
     r.parcel.position = {value("x"), value("y"), value("z")};
     r.parcel.velocity = {value("vx"), value("vy"), value("vz")};
@@ -126,19 +155,32 @@ class DumpReader {
   std::string line_;
   std::uint64_t number_ = 0;
   std::map<std::string, std::size_t> column_;
+  std::optional<double> type_;  // of the atoms of this frame so far
 };
+
+/// Dumps may have parcels just beyond a periodic end, which another program's wrapping left there.
+void wrap_once(const Box& domain, Vec3& position) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!domain.periodic[axis]) continue;
+    const double length = domain.max[axis] - domain.min[axis];
+    if (position[axis] < domain.min[axis])
+      position[axis] += length;
+    else if (position[axis] > domain.max[axis])
+      position[axis] -= length;
+  }
+}
 
 }  // namespace
 
-std::vector<Parcel> read_bed(const std::string& path, double density, std::uint32_t species,
-                             const Box& domain) {
+Bed read_bed(const std::string& path, double density, std::uint32_t species, const Box& domain) {
   auto rows = DumpReader(path).last_frame();
   std::sort(rows.begin(), rows.end(), [](const auto& a, const auto& b) { return a.id < b.id; });
-  std::vector<Parcel> list;
+  Bed bed;
   for (std::size_t k = 0; k < rows.size(); ++k) {
     if (k > 0 && rows[k].id == rows[k - 1].id)
       throw Failure(Exit::bad_input, fmt::format("{}: error: the id {} stands twice", path, rows[k].id));
     Parcel p = rows[k].parcel;
+    wrap_once(domain, p.position);
     for (int axis = 0; axis < 3; ++axis)
       if (p.position[axis] < domain.min[axis] || p.position[axis] > domain.max[axis])
         throw Failure(
@@ -148,9 +190,10 @@ std::vector<Parcel> read_bed(const std::string& path, double density, std::uint3
                         path, rows[k].id, p.position.x, p.position.y, p.position.z));
     p.mass = density * sphere_volume(p.radius);
     p.species = species;
-    list.push_back(p);
+    bed.parcels.push_back(p);
+    bed.ids.push_back(rows[k].id);
   }
-  return list;
+  return bed;
 }
 
 }  // namespace pulvis

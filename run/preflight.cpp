@@ -2,6 +2,7 @@
 #include "run/preflight.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +13,7 @@
 namespace pulvis {
 namespace {
 
-constexpr double bytes_per_parcel = 700.0;  // measured on dense beds with history: see bench/step_time
+constexpr double bytes_per_parcel = 1000.0;  // peak of the program on dense beds; see bench/step_time
 constexpr double most_resting_overlap = 0.01, most_impact_overlap = 0.05;  // over the radius
 
 /// The d50 sphere of a powder against another of a second, or against a wall.
@@ -84,7 +85,18 @@ PairForecast forecast_pair(const Case& c, const Assembly& a, const PairPropertie
   return f;
 }
 
+/// Bytes of this machine's memory, 0 where the system does not say.
+double physical_memory() {
+  const long pages = ::sysconf(_SC_PHYS_PAGES), size = ::sysconf(_SC_PAGE_SIZE);
+  return pages > 0 && size > 0 ? static_cast<double>(pages) * static_cast<double>(size) : 0.0;
+}
+
 void add_warnings(const Case& c, const Assembly& a, Forecast& f) {
+  if (const double there = physical_memory(); there > 0.0 && f.memory > there)
+    f.warnings.push_back(
+        fmt::format("{:.0f} parcels need about {:.0f} MB of memory; this machine has {:.0f} MB: raise "
+                    "coarse_graining",
+                    f.parcels, std::ceil(f.memory / 1e6), std::floor(there / 1e6)));
   for (const PairForecast& p : f.pairs) {
     if (p.resting_overlap > most_resting_overlap)
       f.warnings.push_back(

@@ -21,7 +21,7 @@ struct PairForecast {
 
 struct Forecast {
   double parcels = 0.0;     ///< expected
-  double memory = 0.0;      ///< bytes, expected
+  double memory = 0.0;      ///< bytes, expected peak of the program
   double bed_stress = 0.0;  ///< Pa: weight of the bed over its base, rough
   std::vector<PairForecast> pairs;
   std::vector<std::string> warnings;

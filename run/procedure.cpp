@@ -146,7 +146,8 @@ double Procedure::expected_length(const Phase& p) const {
     const SourceModel& source = simulation_.model().sources[k];
     if (source.kind != SourceModel::Kind::rain || source.rate <= 0.0) continue;
     const double mean_mass = source.density * sphere_volume(0.5) * source.sizes->mean_cube();
-    const double mass = source.target_mass.value_or(mean_mass * static_cast<double>(source.target_count.value_or(0)));
+    const double mass =
+        source.target_mass.value_or(mean_mass * static_cast<double>(source.target_count.value_or(0)));
     rain = std::max(rain, mass / source.rate);
   }
   if (rain > 0.0 && p.until == Phase::Until::inserted) return std::max(rain, p.at_least);

@@ -43,9 +43,9 @@ class Procedure {
 
   const Case& case_;
   Simulation& simulation_;
-  double default_rest_energy_ = 0.0;  ///< J per parcel
+  double default_rest_energy_ = 0.0;      ///< J per parcel
   std::vector<double> expected_parcels_;  ///< of each source
-  double time_to_fall_ = 0.0;         ///< s: what is released at rest has moved by then
+  double time_to_fall_ = 0.0;             ///< s: what is released at rest has moved by then
 };
 
 }  // namespace pulvis

@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "case/units.hpp"
 #include "output/picture.hpp"
 #include "output/result_json.hpp"
 #include "output/safe_file.hpp"
@@ -20,15 +22,45 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t reserved_bytes = 1 << 16;
 
-const std::vector<std::string> result_files = {"case.toml",          "run.json",
-                                               "result.json",        "log.csv",
-                                               "picture*.png",       ".reserve",
-                                               "parcels.pvd",        "walls.pvd",
-                                               "porosity.pvd",       "frames/parcels-*.vtp",
-                                               "frames/walls-*.vtp", "frames/porosity-*.vti"};
+const std::vector<std::string> result_files = {"case.toml",
+                                               "run.json",
+                                               "result.json",
+                                               "log.csv",
+                                               "picture.png",
+                                               "pictures/after-*.png",
+                                               ".reserve",
+                                               "parcels.pvd",
+                                               "walls.pvd",
+                                               "porosity.pvd",
+                                               "frames/parcels-*.vtp",
+                                               "frames/walls-*.vtp",
+                                               "frames/porosity-*.vti"};
+
+std::filesystem::path real_path(const std::filesystem::path& path) {
+  std::error_code ignored;
+  const auto whole = std::filesystem::absolute(path, ignored);
+  const auto real = std::filesystem::weakly_canonical(whole, ignored);
+  return ignored ? whole.lexically_normal() : real;
+}
+
+/// `folder`, unless a file of the user's lies in it.
+const std::string& free_of_inputs(const Case& c, const std::string& folder) {
+  const auto results = real_path(std::filesystem::path(folder) / "any").parent_path();
+  const auto refuse_if_there = [&](const char* what, const std::string& file) {
+    if (real_path(file).parent_path() == results)
+      throw Failure(Exit::usage,
+                    fmt::format("the {} {} lies in the results folder {}, where results could replace it; "
+                                "choose another --out",
+                                what, file, folder));
+  };
+  refuse_if_there("case", c.file);
+  for (const Source& source : c.sources)
+    if (source.kind == Source::Kind::file) refuse_if_there("bed", source.path);
+  return folder;
+}
 
 /// Largest overlap of a pair over the smaller radius.
-double overlap_ratio(const Simulation& simulation) {
+double pair_overlap_ratio(const Simulation& simulation) {
   const NearPairs& pairs = simulation.pairs();
   const NearestImage nearest = NearestImage::of(simulation.model().domain);
   double largest = 0.0;
@@ -38,6 +70,21 @@ double overlap_ratio(const Simulation& simulation) {
     const Parcel& q = simulation.state().parcels.body[pairs.second[s]];
     const double overlap = p.radius + q.radius - norm(nearest(q.position - p.position));
     largest = std::max(largest, overlap / std::min(p.radius, q.radius));
+  }
+  return largest;
+}
+
+/// Largest overlap of a parcel with a wall over its radius.
+double wall_overlap_ratio(const Simulation& simulation) {
+  const NearWalls& walls = simulation.walls();
+  double largest = 0.0;
+  for (std::size_t s = 0; s < walls.slots(); ++s) {
+    if (!walls.touching[s]) continue;
+    const Parcel& p = simulation.state().parcels.body[walls.parcel[s]];
+    const Surface& surface = simulation.model().surfaces[walls.surface[s]];
+    const Vec3 at = p.position - simulation.body_displacement(surface.body);
+    const double overlap = p.radius - norm(nearest_point(surface, at).point - at);
+    largest = std::max(largest, overlap / p.radius);
   }
   return largest;
 }
@@ -70,6 +117,18 @@ Json to_json(const std::vector<Escape>& escapes) {
   return list;
 }
 
+Vec3 up_in(const Case& c) { return norm(c.gravity) > 0.0 ? -c.gravity / norm(c.gravity) : Vec3{0, 0, 1}; }
+
+/// Upright through the middle of the die, square to y where that is level and else to x.
+CutPlane cut_through(const measures::Container& die, const Vec3& up) {
+  const bool box = die.shape == measures::Container::Shape::box;
+  const Vec3 middle = box ? 0.5 * (die.min + die.max) : die.base + (0.5 * die.height) * die.axis;
+  // A slight tilt must not turn the picture, hence the tolerance.
+  const bool along_y = std::abs(up.y) < std::abs(up.x) + 0.1;
+  const Vec3 wish = along_y ? Vec3{0, -1, 0} : Vec3{1, 0, 0};
+  return {middle, wish - dot(wish, up) * up};
+}
+
 /// Sum of the masses in order of ids, kg.
 double present_mass(const Simulation& simulation) {
   double mass = 0.0;
@@ -79,10 +138,10 @@ double present_mass(const Simulation& simulation) {
 
 }  // namespace
 
-Results::Results(const Case& c, const Assembly& assembly, const std::string& folder, UsedFolder used)
+Results::Results(const Case& c, const TimeStep& time_step, const std::string& folder, UsedFolder used)
     : case_(c),
-      assembly_(assembly),
-      folder_(folder, used, result_files),
+      time_step_(time_step),
+      folder_(free_of_inputs(c, folder), used, result_files),
       parcels_(folder_.file("parcels.pvd")),
       walls_(folder_.file("walls.pvd")),
       porosity_(folder_.file("porosity.pvd")) {
@@ -101,29 +160,28 @@ void Results::write_case(const std::vector<Override>& overrides) {
   for (const auto& key : resolved(case_.text, case_.file, overrides))
     keys[key.key] = {{"value", key.value}, {"origin", key.origin}};
   Json limits = Json::array();
-  for (const StepLimit& l : assembly_.time_step.limits)
+  for (const StepLimit& l : time_step_.limits)
     limits.push_back({{"kind", l.kind}, {"of", l.of}, {"time_s", l.time}});
-  write_json(folder_.file("run.json"),
-             {{"version", PULVIS_VERSION},
-              {"case", case_.file},
-              {"title", case_.title},
-              {"time_step_s", assembly_.time_step.step},
-              {"time_step_limits", limits},
-              {"characteristic_speed_m_s", assembly_.time_step.characteristic_speed},
-              {"keys", keys}});
+  write_json(folder_.file("run.json"), {{"version", PULVIS_VERSION},
+                                        {"case", case_.file},
+                                        {"title", case_.title},
+                                        {"time_step_s", time_step_.step},
+                                        {"time_step_limits", limits},
+                                        {"characteristic_speed_m_s", time_step_.characteristic_speed},
+                                        {"keys", keys}});
 }
 
 void Results::log(const Simulation& simulation, const std::string& phase) {
   const State& state = simulation.state();
   const Sight sight = look_at(simulation);
-  const Vec3 up = norm(case_.gravity) > 0.0 ? -case_.gravity / norm(case_.gravity) : Vec3{0, 0, 1};
+  const Vec3 up = up_in(case_);
   double fastest = 0.0, highest = 0.0;
   for (std::size_t k = 0; k < sight.bodies.size(); ++k) {
     fastest = std::max(fastest, norm(sight.bodies[k].velocity));
     const double top = dot(sight.spheres[k].centre, up) + sight.spheres[k].radius;
     highest = k == 0 ? top : std::max(highest, top);
   }
-  const double overlap = overlap_ratio(simulation);
+  const double overlap = std::max(pair_overlap_ratio(simulation), wall_overlap_ratio(simulation));
   largest_overlap_ = std::max(largest_overlap_, overlap);
   log_->add({static_cast<std::int64_t>(state.step), simulation.time(), std::string_view(phase),
              static_cast<std::int64_t>(state.parcels.size()),
@@ -188,7 +246,7 @@ void Results::frame(const Simulation& simulation, const std::optional<measures::
   porosity_.add(time, file("porosity", "vti"));
 }
 
-void Results::picture(const Simulation& simulation, const std::string& name, const std::string& caption) {
+void Results::picture(const Simulation& simulation, const std::string& phase, bool last) {
   const Sight sight = look_at(simulation);
   const std::vector<std::int32_t> contacts = contacts_of(sight);
   constexpr double most_contacts = 8.0;
@@ -200,17 +258,15 @@ void Results::picture(const Simulation& simulation, const std::string& name, con
       mesh_of_walls(simulation.model().surfaces, simulation.model().domain, [&](std::uint32_t body) {
         return simulation.body_displacement(body);
       }).mesh;
-  if (const auto die = measured_container(case_, simulation)) {
-    const bool box = die->shape == measures::Container::Shape::box;
-    const Vec3 middle = box ? 0.5 * (die->min + die->max) : die->base + (0.5 * die->height) * die->axis;
-    request.cut = CutPlane{middle, {0, -1, 0}};
-  }
+  request.up = up_in(case_);
+  if (const auto die = measured_container(case_, simulation)) request.cut = cut_through(*die, request.up);
   request.colour_bar = ColourBar{"contacts per parcel", 0.0, most_contacts};
   request.title = case_.title.empty() ? case_.file : case_.title;
-  request.caption = caption;
-  request.up = norm(case_.gravity) > 0.0 ? -case_.gravity : Vec3{0, 0, 1};
+  request.caption =
+      fmt::format("after phase \"{}\", t = {}", phase, format_quantity(simulation.time(), dimension::time));
   request.threads = simulation.most_threads();
-  write_picture(folder_.file(name + ".png"), request);
+  write_picture(last ? folder_.file("picture.png") : folder_.folder("pictures") + "/after-" + phase + ".png",
+                request);
 }
 
 void Results::write_result(const RunSummary& summary, const Simulation* simulation, bool ended) {
@@ -219,16 +275,17 @@ void Results::write_result(const RunSummary& summary, const Simulation* simulati
                {"title", case_.title},
                {"version", PULVIS_VERSION}};
   if (simulation) {
-    const State state = simulation->snapshot();
+    const State& state = simulation->state();
     const Ledger& ledger = state.ledger;
     json["steps"] = state.step;
     json["simulated_time_s"] = simulation->time();
     json["time_step_s"] = simulation->model().dt;
-    json["time_step_limit"] = assembly_.time_step.given ? "given by the case"
-                                                        : assembly_.time_step.limits.front().kind + " of " +
-                                                              assembly_.time_step.limits.front().of;
+    json["time_step_limit"] = time_step_.given
+                                  ? "given by the case"
+                                  : time_step_.limits.front().kind + " of " + time_step_.limits.front().of;
     json["wall_time_s"] = summary.wall_time;
     json["threads"] = simulation->most_threads();
+    json["threads_used"] = simulation->threads();
     json["list_rebuilds"] = simulation->rebuilds();
     json["instruction_set"] = kernels::name_of(kernels::instruction_set());
     json["particles"] = state.parcels.size();
@@ -238,7 +295,7 @@ void Results::write_result(const RunSummary& summary, const Simulation* simulati
                                        ? static_cast<double>(summary.particle_steps) / summary.stepping_time
                                        : 0.0;
     json["largest_overlap_over_radius"] = largest_overlap_;
-    json["state_hash"] = state_hash(state);
+    json["state_hash"] = state_hash(simulation->snapshot());
     json["ledger"] = {{"inserted", ledger.inserted},
                       {"present", state.parcels.size()},
                       {"removed", ledger.removed},

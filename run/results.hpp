@@ -11,8 +11,8 @@
 #include "output/csv.hpp"
 #include "output/run_folder.hpp"
 #include "output/vtk_series.hpp"
-#include "run/assemble.hpp"
 #include "run/measuring.hpp"
+#include "run/time_step.hpp"
 
 namespace pulvis {
 
@@ -39,7 +39,9 @@ struct RunSummary {
 /// Everything a run writes into its folder.
 class Results {
  public:
-  Results(const Case& c, const Assembly& assembly, const std::string& folder, UsedFolder used);
+  /// Throws Failure(Exit::usage), besides what RunFolder throws, if the case or a bed lies among the results,
+  /// where the copy of the case would take its place or --force remove it.
+  Results(const Case& c, const TimeStep& time_step, const std::string& folder, UsedFolder used);
 
   const RunFolder& folder() const { return folder_; }
 
@@ -49,17 +51,18 @@ class Results {
   void log(const Simulation& simulation, const std::string& phase);
   /// Parcels, walls and (if given) porosity for ParaView.
   void frame(const Simulation& simulation, const std::optional<measures::PorosityField>& porosity);
-  /// The die cut open, seen from obliquely above; `name` without ending.
-  void picture(const Simulation& simulation, const std::string& name, const std::string& caption);
+  /// The die cut open, seen from obliquely above: picture.png if it is the `last`, else one in pictures/.
+  void picture(const Simulation& simulation, const std::string& phase, bool last);
   /// result.json. `simulation` may be null if the run failed before it began. `ended`: the run is over, now
   /// is the time to use the room kept for this.
   void write_result(const RunSummary& summary, const Simulation* simulation, bool ended = true);
 
-  double largest_overlap() const { return largest_overlap_; }  ///< over the radius, of all looks so far
+  /// Over the radius, with parcels and walls, of all looks so far.
+  double largest_overlap() const { return largest_overlap_; }
 
  private:
   const Case& case_;
-  const Assembly& assembly_;
+  const TimeStep& time_step_;
   RunFolder folder_;
   std::unique_ptr<CsvLog> log_;
   VtkSeries parcels_, walls_, porosity_;

@@ -27,10 +27,10 @@ double seconds_now() {
 /// One run from the first phase to the last: steps, looks, outputs.
 class Runner {
  public:
-  Runner(const Case& c, const Assembly& assembly, Results& results, int threads)
+  Runner(const Case& c, Model&& model, Results& results, int threads)
       : case_(c),
         results_(results),
-        simulation_(assembly.model, Simulation::initial_state(assembly.model), threads),
+        simulation_(simulation_of(std::move(model), threads)),
         procedure_(c, simulation_),
         progress_(ProgressOptions::for_stderr()),
         frame_every_(every(c.output.interval)),
@@ -40,6 +40,10 @@ class Runner {
   const Simulation& simulation() const { return simulation_; }
 
  private:
+  static Simulation simulation_of(Model&& model, int threads) {
+    State state = Simulation::initial_state(model);
+    return {std::move(model), std::move(state), threads};
+  }
   /// Steps between looks that are `interval` seconds apart; 0: never.
   std::uint64_t every(double interval) const {
     return interval > 0.0
@@ -59,9 +63,10 @@ class Runner {
   }
 
   void look(bool phase_ends, const std::string& phase);
-  void close_phase(const std::string& ended_by, RunSummary& summary);
+  void close_phase(const std::string& ended_by, bool run_ends, RunSummary& summary);
   void show_progress(const RunSummary& summary);
   void check_escapes() const;
+  void check_finite() const;
   void warn(RunSummary& summary, const std::string& text) {
     summary.warnings.push_back(text);
     progress_.message("warning: " + text);
@@ -75,16 +80,36 @@ class Runner {
   std::uint64_t frame_every_, log_every_;
 };
 
+std::string text_of(const Escape& e) {
+  return fmt::format("t = {:.6g} s, position ({:.5g}, {:.5g}, {:.5g}) m, speed {:.4g} m/s", e.time,
+                     e.position.x, e.position.y, e.position.z, norm(e.velocity));
+}
+
 void Runner::check_escapes() const {
   const auto& escapes = simulation_.state().escapes;
   if (escapes.empty() || !case_.domain.escape_is_error) return;
   const Escape& e = escapes.back();
   throw Failure(
       Exit::physics,
-      fmt::format("parcel {} escaped through {} at t = {:.6g} s, position ({:.5g}, {:.5g}, {:.5g}) m, speed "
-                  "{:.4g} m/s\n  if parcels may be lost, set domain.escape = \"count\"; else close the "
-                  "walls, enlarge [domain] or lower time.fraction",
-                  e.id, e.through, e.time, e.position.x, e.position.y, e.position.z, norm(e.velocity)));
+      fmt::format("parcel {} escaped through {} at {}\n  if parcels may be lost, set domain.escape = "
+                  "\"count\"; else close the walls, enlarge [domain] or lower time.fraction",
+                  e.id, e.through, text_of(e)));
+}
+
+/// Each step looks at what the one before it made; nobody else would look at what the last one made.
+void Runner::check_finite() const {
+  const auto finite = [](const Vec3& v) { return std::isfinite(dot(v, v)); };
+  const Parcel* bad = nullptr;
+  for (const Parcel& p : simulation_.state().parcels.body)
+    if (!(finite(p.position) && finite(p.velocity) && finite(p.spin)) && (!bad || p.id < bad->id)) bad = &p;
+  if (!bad) return;
+  const Vec3 &x = bad->position, &v = bad->velocity;
+  throw Failure(
+      Exit::physics,
+      fmt::format("position, velocity or spin is not a finite number: parcel {} at t = {:.6g} s, position "
+                  "({:.6g}, {:.6g}, {:.6g}) m, velocity ({:.6g}, {:.6g}, {:.6g}) m/s, radius {:.4g} m\n  "
+                  "the time step may be too large (lower time.fraction) or a material constant out of range",
+                  bad->id, simulation_.time(), x.x, x.y, x.z, v.x, v.y, v.z, bad->radius));
 }
 
 void Runner::look(bool phase_ends, const std::string& phase) {
@@ -95,7 +120,7 @@ void Runner::look(bool phase_ends, const std::string& phase) {
     results_.frame(simulation_, measure(case_, simulation_).porosity);
 }
 
-void Runner::close_phase(const std::string& ended_by, RunSummary& summary) {
+void Runner::close_phase(const std::string& ended_by, bool run_ends, RunSummary& summary) {
   const Phase& phase = procedure_.phase();
   const Measurement m = measure(case_, simulation_);
   summary.phases.push_back({phase.name, procedure_.phase_start(), simulation_.time(), ended_by, m.list});
@@ -108,10 +133,8 @@ void Runner::close_phase(const std::string& ended_by, RunSummary& summary) {
                      source.count, format_quantity(source.mass, dimension::mass), phase.name, ended_by));
   }
   if (case_.output.picture) {
-    const bool last = simulation_.state().progress.phase + 1 == case_.phases.size();
-    const std::string caption = fmt::format("after phase \"{}\", t = {}", phase.name,
-                                            format_quantity(simulation_.time(), dimension::time));
-    results_.picture(simulation_, last ? "picture" : "picture-" + phase.name, caption);
+    const bool last_phase = simulation_.state().progress.phase + 1 == case_.phases.size();
+    results_.picture(simulation_, phase.name, last_phase || run_ends);
   }
 }
 
@@ -137,16 +160,18 @@ void Runner::run(RunSummary& summary) {
     summary.particle_steps += simulation_.state().parcels.size();
     check_escapes();
     const auto ended = procedure_.ended();
+    const bool stop = stop_asked && !ended;
+    if (ended || stop) check_finite();
     summary.stepping_time += since_mark();
     look(ended.has_value(), procedure_.phase().name);
     if (simulation_.state().step % 16 == 0 || ended) show_progress(summary);
     summary.looking_time += since_mark();
     if (ended) {
-      close_phase(*ended, summary);
+      close_phase(*ended, false, summary);
       summary.looking_time += since_mark();
       procedure_.next_phase();
-    } else if (stop_asked) {
-      close_phase("stopped on request", summary);
+    } else if (stop) {
+      close_phase("stopped on request", true, summary);
       summary.exit = Exit::cancelled;
       summary.reason = "stopped on request; the results are those up to then";
       return;
@@ -174,6 +199,25 @@ void check_ledger(const Simulation& simulation) {
 void add_warning(RunSummary& summary, const std::string& text) {
   summary.warnings.push_back(text);
   fmt::print(stderr, "warning: {}\n", text);
+}
+
+void warn_of_overlap(double overlap, RunSummary& summary) {
+  if (overlap <= 0.05) return;
+  add_warning(summary,
+              fmt::format("parcels overlapped each other or walls by up to {:.1f} % of their radius; "
+                          "above 5 % a contact law of small overlaps is out of its range: raise "
+                          "simulated_modulus",
+                          100 * overlap));
+}
+
+/// Escapes that are an error need no warning: they are the reason for the end.
+void warn_of_escapes(const Case& c, const State& state, RunSummary& summary) {
+  if (c.domain.escape_is_error || state.escapes.empty()) return;
+  const Escape& first = state.escapes.front();
+  add_warning(summary, fmt::format("{} parcel{} ({}) escaped; the first was parcel {} through {} at {}",
+                                   state.ledger.escaped, state.ledger.escaped == 1 ? "" : "s",
+                                   format_quantity(state.ledger.escaped_mass, dimension::mass), first.id,
+                                   first.through, text_of(first)));
 }
 
 void print_summary(const Case& c, const Results& results, const RunSummary& summary,
@@ -209,7 +253,9 @@ void print_summary(const Case& c, const Results& results, const RunSummary& summ
              simulation.state().parcels.size(), l.removed, l.escaped);
   const std::string& folder = results.folder().path();
   fmt::print("Results in {}:\n  numbers   {}/result.json, {}/log.csv\n", folder, folder, folder);
-  if (c.output.picture) fmt::print("  picture   {}/picture.png\n", folder);
+  if (c.output.picture)
+    fmt::print("  picture   {0}/picture.png{1}\n", folder,
+               summary.phases.size() > 1 ? fmt::format(", {}/pictures/after-*.png", folder) : "");
   fmt::print("  ParaView  {0}/parcels.pvd, {0}/walls.pvd, {0}/porosity.pvd\n", folder);
 }
 
@@ -221,8 +267,9 @@ void ask_to_stop() { stop_asked = true; }
 
 Exit run_case(const RunRequest& request) {
   const Case c = read_case(request.case_file, request.overrides);
-  const Assembly assembly = assemble(c);
-  Results results(c, assembly, request.out, request.force ? UsedFolder::replace_results : UsedFolder::refuse);
+  Assembly assembly = assemble(c);
+  Results results(c, assembly.time_step, request.out,
+                  request.force ? UsedFolder::replace_results : UsedFolder::refuse);
   results.write_case(request.overrides);
 
   RunSummary summary;
@@ -236,7 +283,8 @@ Exit run_case(const RunRequest& request) {
   std::optional<Runner> runner;
   const double start = seconds_now();
   try {
-    runner.emplace(c, assembly, results, request.threads > 0 ? request.threads : available_processors());
+    runner.emplace(c, std::move(assembly.model), results,
+                   request.threads > 0 ? request.threads : available_processors());
     runner->run(summary);
     check_ledger(runner->simulation());
   } catch (const Failure& failure) {
@@ -247,16 +295,13 @@ Exit run_case(const RunRequest& request) {
     summary.reason = fmt::format("unexpected: {}", error.what());
   }
   summary.wall_time = seconds_now() - start;
-  if (results.largest_overlap() > 0.05)
-    add_warning(
-        summary,
-        fmt::format("parcels overlapped by up to {:.1f} % of their radius; above 5 % a contact law of "
-                    "small overlaps is out of its range: raise simulated_modulus",
-                    100 * results.largest_overlap()));
+  warn_of_overlap(results.largest_overlap(), summary);
+  if (runner) warn_of_escapes(c, runner->simulation().state(), summary);
+  // First: if the results cannot be written, that is a second failure, not the reason of the first.
+  if (summary.exit != Exit::ok) fmt::print(stderr, "pulvis: {}\n", summary.reason);
   results.write_result(summary, runner ? &runner->simulation() : nullptr);
   if (runner && (summary.exit == Exit::ok || summary.exit == Exit::cancelled))
     print_summary(c, results, summary, runner->simulation());
-  if (summary.exit != Exit::ok) fmt::print(stderr, "pulvis: {}\n", summary.reason);
   return summary.exit;
 }
 

@@ -56,11 +56,12 @@ laws::MaterialPair simulated_pair(const Case& c, const Species& a, const Species
   const double nu_a = c.materials[a.material].poisson_ratio, nu_b = c.materials[b.material].poisson_ratio;
   pair.effective_modulus = laws::effective_modulus(a.modulus, nu_a, b.modulus, nu_b);
   pair.effective_shear_modulus = laws::effective_shear_modulus(a.modulus, nu_a, b.modulus, nu_b);
-  const Species& powder = a.is_powder ? a : b;
-  if (pair.work_of_adhesion > 0.0 && pair.effective_modulus != real_modulus &&
-      c.powders[powder.powder].keep == Powder::Keep::sticking_speed)
+  // What is kept is the softened powder's choice, whichever of the two stands first.
+  const Species& softened = a.is_softened() ? a : b;
+  if (pair.work_of_adhesion > 0.0 && softened.is_softened() &&
+      c.powders[softened.powder].keep == Powder::Keep::sticking_speed)
     pair.work_of_adhesion *= power(pair.effective_modulus / real_modulus, 0.4);
-  pair.work_of_adhesion *= powder.coarse_graining;
+  pair.work_of_adhesion *= a.is_powder ? a.coarse_graining : b.coarse_graining;
   return pair;
 }
 

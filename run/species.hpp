@@ -18,6 +18,8 @@ struct Species {
   double modulus = 0.0;          ///< simulated Young's modulus, Pa
   double real_modulus = 0.0;     ///< Pa
   double coarse_graining = 1.0;  ///< alpha; 1 for walls
+
+  bool is_softened() const { return modulus != real_modulus; }  ///< powders only; walls stay as they are
 };
 
 /// Parcels' sizes of a powder: the grains' law times alpha.
@@ -41,6 +43,7 @@ std::size_t species_of_material(const std::vector<Species>& species, std::size_t
 /// one in two steps, both stated in NOTATION:
 ///   softening        keep = pull_off: W stays; keep = sticking_speed: W (E*_sim/E*_real)^(2/5)
 ///   coarse graining  stress similarity: W times alpha, everything else as it is
+/// `keep` is that of the softened powder; two softened powders that adhere must agree in it (see assemble).
 /// Sources: stress similarity as in C. Bierwisch et al., J. Mech. Phys. Solids 57 (2009) 10-31,
 /// doi:10.1016/j.jmps.2008.10.006; the 2/5 from v_s ~ (W^5/E*^2)^(1/6), jkr_sticking_speed.
 std::vector<PairProperties> mix_pairs(const Case& c, const std::vector<Species>& species);

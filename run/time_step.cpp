@@ -106,18 +106,19 @@ TimeStep choose_time_step(const Case& c, const std::vector<Species>& species,
   }
   std::sort(result.limits.begin(), result.limits.end(),
             [](const StepLimit& a, const StepLimit& b) { return a.time < b.time; });
-  if (result.limits.empty()) throw Failure(Exit::bad_case, "the case has no powder");
-  const StepLimit& binding = result.limits.front();
+  if (result.limits.empty()) throw Failure(Exit::bad_case, c.file + ": error: the case has no powder");
   result.given = c.time.step.has_value();
-  result.step = c.time.step.value_or(c.time.fraction * binding.time);
-  if (result.step > binding.time)
-    throw Failure(
-        Exit::bad_case,
-        fmt::format("{}: error: time.step = {:.4g} s is too large: the {} limit of {} is {:.4g} s\n  "
-                    "remove time.step to have a safe step chosen ({:.4g} s), or set it below the limit",
-                    c.file, result.step, binding.kind, binding.of, binding.time,
-                    c.time.fraction * binding.time));
+  result.step = c.time.step.value_or(c.time.fraction * result.limits.front().time);
   return result;
+}
+
+std::string step_problem(const Case& c, const TimeStep& chosen) {
+  const StepLimit& binding = chosen.limits.front();
+  if (chosen.step <= binding.time) return "";
+  return fmt::format(
+      "time.step = {:.4g} s is too large: the {} limit of {} is {:.4g} s\n  remove time.step to have a safe "
+      "step chosen ({:.4g} s), or set it below the limit",
+      chosen.step, binding.kind, binding.of, binding.time, c.time.fraction * binding.time);
 }
 
 }  // namespace pulvis

@@ -33,9 +33,11 @@ double characteristic_speed(const Case& c);
 ///   hertz                laws::hertz_contact_time at the characteristic speed   per pair
 ///   cohesive stiffness   sqrt(m*/k), k the JKR stiffness at zero overlap        per adhesive pair
 ///   cohesive speed       delta_c/(10 v_s), v_s the sticking speed               per adhesive pair
-/// Throws Failure(bad_case) if a given step exceeds the smallest limit.
 TimeStep choose_time_step(const Case& c, const std::vector<Species>& species,
                           const std::vector<PairProperties>& pairs,
                           const std::vector<double>& smallest_radius);
+
+/// Why the step cannot be used (the case gives one above the smallest limit), with its remedy; empty if it can.
+std::string step_problem(const Case& c, const TimeStep& chosen);
 
 }  // namespace pulvis

@@ -124,6 +124,59 @@ TEST(BadCase, PowdersOfDifferentCoarseGrainingAreRefused) {
   expect_in(refused(text, 3).err, {"case.toml", "beads", "fine", "coarse_graining", "same factor"});
 }
 
+TEST(BadCase, AllThatDoesNotFitTogetherComesInOneGoWithItsLines) {
+  std::string text = with(small_die, "peak_acceleration = \"15 m/s^2\"", "amplitude = \"10 mm\"");
+  text = with(text, "fraction = 1.0", "step = \"6 us\"");
+  expect_in(refused(text, 3).err, {line_of(text, "step = \"6 us\"") + " error: time.step",
+                                   line_of(text, "[motions.shaking]") + " error: a wall moves"});
+}
+
+TEST(BadCase, RegionThatAWallPassesThroughIsRefused) {
+  const std::string region = R"(min = ["0.1 mm", "0.1 mm", "4.2 mm"], max = ["2.9 mm", "2.9 mm", "6 mm"])";
+  const std::string through = R"(min = ["-0.5 mm", "0.1 mm", "3 mm"], max = ["2.9 mm", "2.9 mm", "6 mm"])";
+  const std::string above = R"(min = ["-0.5 mm", "-0.5 mm", "4 mm"], max = ["3.5 mm", "3.5 mm", "6 mm"])";
+  const std::string text = with(small_die, region, through);
+  expect_in(refused(text, 3).err, {line_of(text, "region ="), "die.-x", "sources.rain.region"});
+  TemporaryFolder folder;
+  EXPECT_EQ(call({"check", folder.file("case.toml", with(small_die, region, above))}).exit, 0)
+      << "wider than the open die, but above it";
+  const std::string funnel =
+      "[walls.cut]\nshape = \"plane\"\nmaterial = \"steel\"\n"
+      "point = [\"0 mm\", \"0 mm\", \"5 mm\"]\nnormal = [1, 0, 1]\n\n[motions.shaking]";
+  expect_in(refused(with(small_die, "[motions.shaking]", funnel), 3).err,
+            {"wall cut", "sources.rain.region"});
+  const std::string tube =
+      "[walls.tube]\nshape = \"cylinder\"\nmaterial = \"steel\"\nradius = \"1 mm\"\n"
+      "base = [\"1.5 mm\", \"1.5 mm\", \"4 mm\"]\nheight = \"3 mm\"\n"
+      "open = [\"base\", \"top\"]\n\n[motions.shaking]";
+  expect_in(refused(with(small_die, "[motions.shaking]", tube) + "[measures]\ndie = \"die\"\n", 3).err,
+            {"wall tube.side", "sources.rain.region"});
+}
+
+TEST(BadCase, RoundRegionOutsideTheDomainIsRefused) {
+  const std::string text =
+      with(thrown(R"(["0 m/s", "0 m/s", "0 m/s"])"),
+           R"(min = ["0.5 mm", "0.5 mm", "1 mm"], max = ["2.5 mm", "2.5 mm", "3 mm"])",
+           R"(shape = "cylinder", base = ["1.5 mm", "1.5 mm", "11 mm"], radius = "1 mm", height = "2 mm")");
+  expect_in(refused(text, 3).err, {line_of(text, "base ="), "sources.pack.region", "along z", "12 mm"});
+}
+
+TEST(BadCase, WallsThatCutAPeriodicAxisAreRefused) {
+  std::string text = with(small_die, "[domain]", "[domain]\nperiodic = [\"x\"]");
+  text = with(text, "max = [\"3 mm\"", "max = [\"5 mm\"");
+  expect_in(refused(text, 3).err, {line_of(text, "[walls.die]"), "walls.die", "periodic axis x"});
+  const std::string slope =
+      "[walls.cut]\nshape = \"plane\"\nmaterial = \"steel\"\n"
+      "point = [\"0 mm\", \"0 mm\", \"-1 mm\"]\nnormal = [1, 0, 1]\n\n[motions.shaking]";
+  text = with(with(small_die, "[domain]", "[domain]\nperiodic = [\"x\"]"), "[motions.shaking]", slope);
+  expect_in(refused(text, 3).err, {line_of(text, "normal = [1"), "walls.cut", "periodic axis x"});
+}
+
+TEST(BadCase, MoreParcelsThanIdsAreRefused) {
+  const std::string text = with(small_die, "mass = \"24 mg\"", "count = 3000000000");
+  expect_in(refused(text, 3).err, {line_of(text, "[sources.rain]"), "sources.rain", "2147483647"});
+}
+
 TEST(BadCase, OverrideIsCheckedLikeTheFile) {
   TemporaryFolder folder;
   const std::string file = folder.file("case.toml", small_die);
@@ -194,6 +247,9 @@ duration = "1 ms"
       {"infinite", dump_of(with(good_atoms, "0 0 0 0.00025", "0 1e999 0 0.00025")), {"bed.dump:10", "1e999"}},
       {"words", dump_of(with(good_atoms, "0.001", "left")), {"bed.dump:10", "left"}},
       {"doubled ids", dump_of(with(good_atoms, "3 1", "1 1")), {"bed.dump", "id 1", "twice"}},
+      {"in a wall",
+       dump_of(with(good_atoms, "2 1 0.002 0.001 0.001", "2 1 0.002 0.001 0.0001")),
+       {"bed.dump", "1 of 3 parcels", "parcel 2", "die.-z"}},
       {"no radius", dump_of(with(good_atoms, "0.00025", "0")), {"bed.dump:10", "radius"}},
       {"outside", dump_of(with(good_atoms, "0.002", "0.2")), {"bed.dump", "parcel 2", "domain", "SI"}},
       {"negative count", dump_of("", -1), {"bed.dump:4", "number of atoms"}},

@@ -38,12 +38,12 @@ ITEM: BOX BOUNDS ff ff ff
 ITEM: ATOMS id type x y z vx vy vz radius 
 7 1 0.00123456 -0.0201 0.0314159 0.01 -0.02 -0.3 0.0025 
 2 1 -1.5e-05 0.04 0.002 0 0 1.25E-3 0.0015 
-5 2 0.01 0.02 0.03 -1e-10 0 0 0.002 
+5 1 0.01 0.02 0.03 -1e-10 0 0 0.002 
 )";
 
 TEST(BedFile, ReadsTheLastFrameOfALiggghtsDumpInOrderOfIds) {
   TemporaryFolder folder;
-  const auto bed = read_bed(folder.file("bed.dump", liggghts), 2500.0, 3, metre());
+  const auto bed = read_bed(folder.file("bed.dump", liggghts), 2500.0, 3, metre()).parcels;
   ASSERT_EQ(bed.size(), 3u);
   EXPECT_EQ(bed[0].position, (Vec3{-1.5e-05, 0.04, 0.002}));
   EXPECT_EQ(bed[0].velocity, (Vec3{0, 0, 1.25e-3}));
@@ -66,7 +66,7 @@ TEST(BedFile, ReadsColumnsInAnyOrderDiametersSpinsAndWindowsLines) {
       "ITEM: TIMESTEP\r\n5\r\nITEM: NUMBER OF ATOMS\r\n1\r\nITEM: BOX BOUNDS pp pp ff\r\n0 1\r\n0 1\r\n0 "
       "1\r\n"
       "ITEM: ATOMS diameter omegaz z y x id omegax mass\r\n0.004 7 0.3 0.2 0.1 1 -2 99\r\n";
-  const auto bed = read_bed(folder.file("bed.dump", dump), 1000.0, 0, metre());
+  const auto bed = read_bed(folder.file("bed.dump", dump), 1000.0, 0, metre()).parcels;
   ASSERT_EQ(bed.size(), 1u);
   EXPECT_EQ(bed[0].position, (Vec3{0.1, 0.2, 0.3}));
   EXPECT_EQ(bed[0].radius, 0.002);
@@ -74,6 +74,39 @@ TEST(BedFile, ReadsColumnsInAnyOrderDiametersSpinsAndWindowsLines) {
   EXPECT_EQ(bed[0].velocity, Vec3{});
   EXPECT_NEAR(bed[0].mass, 1000.0 * 4.0 / 3.0 * M_PI * 8e-9, 1e-18)
       << "by the case's density, not the file's";
+}
+
+TEST(BedFile, TakesUnitsAndTimeAheadOfAFrame) {
+  TemporaryFolder folder;
+  const std::string dump = "ITEM: UNITS\nsi\nITEM: TIME\n0.25\n" + liggghts;
+  EXPECT_EQ(read_bed(folder.file("bed.dump", dump), 2500.0, 0, metre()).ids,
+            (std::vector<std::uint64_t>{2, 5, 7}));
+}
+
+TEST(BedFile, BringsParcelsBackAlongPeriodicAxesOnly) {
+  TemporaryFolder folder;
+  const std::string file = folder.file("bed.dump", with(liggghts, "0.00123456", "1.25"));
+  Box box = metre();
+  EXPECT_THROW(read_bed(file, 1.0, 0, box), Failure);
+  box.periodic[0] = true;
+  EXPECT_EQ(read_bed(file, 1.0, 0, box).parcels.at(2).position.x, -0.75);
+  EXPECT_THROW(read_bed(folder.file("far.dump", with(liggghts, "0.00123456", "3.25")), 1.0, 0, box), Failure);
+}
+
+TEST(BedFile, RefusesSeveralTypesOtherUnitsAndIdsThatAreNotWhole) {
+  TemporaryFolder folder;
+  for (const auto& [dump, said] : std::vector<std::pair<std::string, std::string>>{
+           {with(liggghts, "2 1 -1.5e-05", "2 2 -1.5e-05"), "one powder"},
+           {with(liggghts, "2 1 -1.5e-05", "2.5 1 -1.5e-05"), "2.5 is no whole number"},
+           {"ITEM: UNITS\ncgs\n" + liggghts, "cgs"}}) {
+    try {
+      read_bed(folder.file("bed.dump", dump), 1.0, 0, metre());
+      ADD_FAILURE() << said;
+    } catch (const Failure& failure) {
+      EXPECT_EQ(failure.code(), Exit::bad_input);
+      EXPECT_TRUE(has(failure.what(), said)) << failure.what();
+    }
+  }
 }
 
 TEST(BedFile, NeedsPositionAndSize) {

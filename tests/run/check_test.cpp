@@ -121,6 +121,38 @@ TEST(Check, SofteningThatKeepsTheStickingSpeedLowersW) {
   expect_close(k.assembly.pairs[0].real.work_of_adhesion, work_glass, 1e-12, "real W");
 }
 
+TEST(Check, KeepIsThatOfTheSoftenedPowderInEitherOrder) {
+  const std::string stiff =
+      "[powders.stiff]\nmaterial = \"glass\"\nsize = { kind = \"single\", diameter = \"50 um\" }\n"
+      "coarse_graining = 10\n\n";
+  std::string text = with(small_die, "kind = \"rain\"", "kind = \"rain\"\npowder = \"beads\"");
+  text = with(text, "keep = \"pull_off\"", "keep = \"sticking_speed\"");
+  const double between = modulus(e_soft, nu_glass, e_glass, nu_glass),
+               real = modulus(e_glass, nu_glass, e_glass, nu_glass);
+  for (const char* before : {"[powders.beads]", "[contact]"}) {
+    const Checked k = checked(with(text, before, stiff + before));
+    expect_close(k.assembly.pairs[1].simulated.work_of_adhesion,
+                 alpha * work_glass * std::pow(between / real, 0.4), 1e-9, before);
+  }
+  const std::string soft = with(stiff, "\n\n", "\nsimulated_modulus = \"3 MPa\"\nkeep = \"pull_off\"\n\n");
+  for (const char* before : {"[powders.beads]", "[contact]"}) try {
+      checked(with(text, before, soft + before));
+      ADD_FAILURE() << "they keep different things";
+    } catch (const Failure& failure) {
+      EXPECT_EQ(failure.code(), Exit::bad_case);
+      EXPECT_TRUE(has(failure.what(), "differ in what they keep")) << failure.what();
+    }
+}
+
+TEST(Check, WarnsOfMoreMemoryThanThereIs) {
+  const auto warned = [](const Checked& k) {
+    return std::any_of(k.forecast.warnings.begin(), k.forecast.warnings.end(),
+                       [](const std::string& w) { return has(w, "this machine has"); });
+  };
+  EXPECT_FALSE(warned(checked(small_die)));
+  EXPECT_TRUE(warned(checked(with(small_die, "mass = \"24 mg\"", "count = 2147483647"))));
+}
+
 TEST(Check, CoarseGrainingScalesWByAlphaAfterSoftening) {
   for (const char* keep : {"\"pull_off\"", "\"sticking_speed\""}) {
     const Checked k = checked(small_die, {{"powders.beads.keep", keep}});
@@ -162,6 +194,7 @@ TEST(Check, ParcelsAndMemoryAreForecast) {
   const Checked million = checked(thrown(R"(["0 m/s", "0 m/s", "0 m/s"])"),
                                   {{"sources.pack.count", "1000000"},
                                    {"domain.max", R"(["1 m", "1 m", "1 m"])"},
+                                   {"sources.pack.region.min", R"(["0 m", "0 m", "5 mm"])"},
                                    {"sources.pack.region.max", R"(["1 m", "1 m", "1 m"])"}});
   EXPECT_EQ(million.forecast.parcels, 1e6);
   EXPECT_LT(million.forecast.memory, 1024.0 * 1024.0 * 1024.0);

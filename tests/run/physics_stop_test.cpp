@@ -72,6 +72,12 @@ TEST(EscapeFromTheDomain, IsCountedIfTheCaseAllowsIt) {
   const auto lines = lines_of(text_of(run.out("log.csv")));
   EXPECT_EQ(lines.back().substr(lines.back().rfind(',')), ",5");
   EXPECT_TRUE(has(run.outcome().out, "5 inserted = 0 present + 0 removed + 5 escaped"));
+  ASSERT_FALSE(r.at("warnings").empty());
+  const Json& first = r.at("escapes")[0];
+  expect_in(r.at("warnings").back(),
+            {"5 parcels (", "ug) escaped", "first was parcel " + std::to_string(first.at("id").get<int>()),
+             "through domain", fmt::format("t = {:.6g} s", first.at("time_s").get<double>()),
+             fmt::format("speed {:.4g} m/s", first.at("speed_m_s").get<double>())});
 }
 
 /// Too fast for walls so soft.
@@ -138,6 +144,22 @@ TEST(Runaway, NamesTheParcelWhoseNumbersAreNone) {
   // Its square is no number any more.
   const Json r = expect_stopped(run_with_speed("1e200"));
   expect_in(r.at("exit_reason"), {"not a finite number", "parcel 1", "t = ", "1e+200"});
+}
+
+TEST(Runaway, IsSeenEvenIfTheLastStepMadeIt) {
+  // Two parcels in one place have no direction to push each other; no further step would look at them.
+  static TemporaryFolder beds;
+  const std::string dump =
+      beds.file("bed.dump",
+                "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n2\nITEM: BOX BOUNDS ff ff ff\n0 1\n0 1\n0 1\n"
+                "ITEM: ATOMS id x y z radius\n1 0.001 0.001 0.001 0.00025\n2 0.001 0.001 0.001 0.00025\n");
+  const Json r = expect_stopped(
+      RunOfCase(die_with("[sources.bed]\nkind = \"file\"\npath = \"" + dump +
+                         "\"\n\n[[phases]]\nname = \"fly\"\nsources = [\"bed\"]\nuntil = \"time\"\n"
+                         "duration = \"1 ns\"\n\n")));
+  EXPECT_EQ(r.at("steps"), 1);
+  EXPECT_TRUE(r.at("phases").empty()) << "nothing is measured on it";
+  expect_in(r.at("exit_reason"), {"not a finite number", "parcel 0", "t = ", "velocity (", "time.fraction"});
 }
 
 }  // namespace

@@ -49,6 +49,58 @@ TEST(UsedFolder, IsReplacedWithForceAndForeignFilesStay) {
   EXPECT_EQ(open_series(first.out("parcels.pvd")).size(), 2u);
 }
 
+TEST(UsedFolder, IsRefusedEvenWithForceIfTheCaseLiesInIt) {
+  TemporaryFolder folder;
+  folder.file("result.json", "of an earlier run");
+  const std::string file = folder.file("case.toml", brief);
+  fs::create_directory_symlink(folder.path(), folder / "link");
+  for (const std::string& out : {folder.path().string(), folder.path().string() + "/", folder / "link"}) {
+    const Outcome outcome = call({"run", file, "--out", out, "--force"});
+    EXPECT_EQ(outcome.exit, 2) << outcome.err;
+    EXPECT_TRUE(has(outcome.err, file)) << outcome.err;
+    EXPECT_TRUE(has(outcome.err, "another --out")) << outcome.err;
+  }
+  EXPECT_EQ(text_of(file), brief);
+  EXPECT_EQ(text_of(folder / "result.json"), "of an earlier run") << "nothing was removed";
+  Surroundings inside;
+  inside.folder = folder.path().string();
+  EXPECT_EQ(call({"run", "case.toml", "--out", ".", "--force"}, inside).exit, 2);
+  EXPECT_EQ(text_of(file), brief);
+}
+
+TEST(UsedFolder, IsRefusedEvenWithForceIfABedLiesInIt) {
+  TemporaryFolder folder;
+  fs::create_directory(folder / "out");
+  const std::string bed =
+      "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS ff ff ff\n0 1\n0 1\n"
+      "0 1\nITEM: ATOMS id x y z radius\n1 0.001 0.001 0.001 0.00025\n";
+  folder.file("out/log.csv", bed);
+  const std::string file =
+      folder.file("case.toml",
+                  die_with("[sources.bed]\nkind = \"file\"\npath = \"out/log.csv\"\n\n[[phases]]\n"
+                           "name = \"fly\"\nsources = [\"bed\"]\nuntil = \"time\"\nduration = \"1 ms\"\n\n"));
+  const Outcome outcome = call({"run", file, "--out", folder / "out", "--force"});
+  EXPECT_EQ(outcome.exit, 2) << outcome.err;
+  EXPECT_TRUE(has(outcome.err, "bed " + folder / "out/log.csv")) << outcome.err;
+  EXPECT_EQ(text_of(folder / "out/log.csv"), bed);
+  EXPECT_EQ(call({"run", file, "--out", folder / "other"}).exit, 0);
+}
+
+TEST(UsedFolder, KeepsPicturesOfTheUser) {
+  const std::string text = with(with(brief, "\"5 ms\"", "\"1 ms\""), "picture = false", "picture = true");
+  const RunOfCase first(text);
+  ASSERT_EQ(first.exit(), 0) << first.outcome().err;
+  write_text(first.out("picture-of-the-press.png"), "mine");
+  fs::create_directory(first.out("pictures"));
+  write_text(first.out("pictures/press.png"), "mine");
+  write_text(first.out("pictures/after-old.png"), "of an earlier run");
+  const Outcome again = call({"run", first.case_file(), "--out", first.out(), "--force"});
+  ASSERT_EQ(again.exit, 0) << again.err;
+  EXPECT_EQ(text_of(first.out("picture-of-the-press.png")), "mine");
+  EXPECT_EQ(text_of(first.out("pictures/press.png")), "mine");
+  EXPECT_FALSE(fs::exists(first.out("pictures/after-old.png")));
+}
+
 TEST(UsedFolder, IsLeftAloneIfTheCaseIsWrong) {
   const RunOfCase first(brief);
   ASSERT_EQ(first.exit(), 0) << first.outcome().err;

@@ -41,6 +41,7 @@ TEST(SameBits, ComeOutOfTwoThreads) {
   const Json one = result_of(crowd(), {"--threads", "1"}), two = result_of(crowd(), {"--threads", "2"});
   EXPECT_EQ(one.at("threads"), 1);
   EXPECT_EQ(two.at("threads"), 2);
+  EXPECT_EQ(two.at("threads_used"), 2);
   EXPECT_GT(one.at("measures").at("coordination_mean").at("value"), 0.2) << "they touch each other";
   EXPECT_GT(one.at("measures").at("coordination_walls_mean").at("value"), 0.05) << "and the die";
   for (const char* key : {"state_hash", "steps", "ledger", "ledger_mass", "measures", "phases"})

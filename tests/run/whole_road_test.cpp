@@ -39,7 +39,7 @@ TEST(WholeRoad, ResultHasEveryPromisedKeyInItsType) {
   EXPECT_EQ(r.at("exit"), 0);
   EXPECT_TRUE(r.at("exit").is_number_integer());
   EXPECT_EQ(r.at("exit_reason"), "completed");
-  for (const char* key : {"steps", "threads", "particles"})
+  for (const char* key : {"steps", "threads", "threads_used", "particles"})
     EXPECT_TRUE(r.at(key).is_number_unsigned()) << key;
   for (const char* key : {"simulated_time_s", "wall_time_s", "particle_steps_per_s"}) {
     EXPECT_TRUE(r.at(key).is_number_float()) << key;
@@ -246,6 +246,29 @@ TEST(WholeRoad, PictureIsAPngAndChangesNoBitOfTheResult) {
   EXPECT_TRUE(has(drawn.outcome().out, "picture.png"));
   EXPECT_FALSE(std::filesystem::exists(plain.out("picture.png")));
   EXPECT_EQ(drawn.result().at("state_hash"), plain.result().at("state_hash"));
+  EXPECT_EQ(drawn.result().at("threads"), 2);
+  EXPECT_EQ(drawn.result().at("threads_used"), 1) << "a dozen parcels keep one busy";
+}
+
+TEST(WholeRoad, EachPhaseBeforeTheLastHasAPictureOfItsOwn) {
+  const std::string next = "[[phases]]\nname = \"land\"\nuntil = \"time\"\nduration = \"1 ms\"\n\n[time]";
+  const std::string text = with(thrown(R"(["0 m/s", "0 m/s", "0 m/s"])"), "20 ms", "1 ms");
+  const RunOfCase run(with(with(text, "[time]", next), "picture = false", "picture = true"));
+  ASSERT_EQ(run.exit(), 0) << run.outcome().err;
+  for (const char* name : {"pictures/after-fly.png", "picture.png"})
+    EXPECT_EQ(text_of(run.out(name)).substr(1, 3), "PNG") << name;
+  EXPECT_TRUE(has(run.outcome().out, "pictures/after-*.png")) << run.outcome().out;
+  EXPECT_FALSE(std::filesystem::exists(run.out("pictures/after-land.png"))) << "it would be drawn twice";
+}
+
+TEST(WholeRoad, OverlapWithWallsCountsToo) {
+  // One parcel falls onto the floor: there is nothing else to overlap with.
+  const RunOfCase run(thrown(R"(["0 m/s", "0 m/s", "-1 m/s"])", 1),
+                      {"--threads", "1", "--set", "output.log_interval=\"5 us\""});
+  ASSERT_EQ(run.exit(), 0) << run.outcome().err;
+  const double overlap = run.result().at("largest_overlap_over_radius");
+  EXPECT_GT(overlap, 0.01);
+  EXPECT_LT(overlap, 0.5);
 }
 
 }  // namespace
