@@ -39,6 +39,9 @@ Sight look_at(const Simulation& simulation) {
   std::sort(s.index.begin(), s.index.end(),
             [&](std::uint32_t a, std::uint32_t b) { return body[a].id < body[b].id; });
   std::vector<std::uint32_t> place(body.size());
+  s.spheres.reserve(body.size());
+  s.masses.reserve(body.size());
+  s.bodies.reserve(body.size());
   for (std::uint32_t k = 0; k < s.index.size(); ++k) {
     const Parcel& p = body[s.index[k]];
     place[s.index[k]] = k;

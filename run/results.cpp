@@ -201,21 +201,28 @@ void Results::frame(const Simulation& simulation, const std::optional<measures::
     return fmt::format("frames/{}-{}.{}", kind, number, ending);
   };
 
-  const Sight sight = look_at(simulation);
-  std::vector<Vec3> centres, velocity, spin, force;
-  std::vector<double> radius;
-  std::vector<std::uint32_t> id, species;
-  for (std::size_t k = 0; k < sight.spheres.size(); ++k) {
-    const Parcel& p = simulation.state().parcels.body[sight.index[k]];
-    centres.push_back(p.position);
-    velocity.push_back(p.velocity);
-    spin.push_back(p.spin);
-    force.push_back(simulation.state().parcels.load[sight.index[k]].force);
-    radius.push_back(p.radius);
-    id.push_back(p.id);
-    species.push_back(p.species);
+  // A frame of millions of parcels is large: only what is written is held while it is.
+  std::vector<std::uint32_t> index;
+  std::vector<std::int32_t> coordination;
+  {
+    Sight sight = look_at(simulation);
+    coordination = contacts_of(sight);
+    index = std::move(sight.index);
   }
-  const std::vector<std::int32_t> coordination = contacts_of(sight);
+  const std::size_t count = index.size();
+  std::vector<Vec3> centres(count), velocity(count), spin(count), force(count);
+  std::vector<double> radius(count);
+  std::vector<std::uint32_t> id(count), species(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    const Parcel& p = simulation.state().parcels.body[index[k]];
+    centres[k] = p.position;
+    velocity[k] = p.velocity;
+    spin[k] = p.spin;
+    force[k] = simulation.state().parcels.load[index[k]].force;
+    radius[k] = p.radius;
+    id[k] = p.id;
+    species[k] = p.species;
+  }
   const std::vector<Field> fields = {{"id", std::span<const std::uint32_t>(id)},
                                      {"type", std::span<const std::uint32_t>(species)},
                                      {"radius", std::span<const double>(radius)},
@@ -295,7 +302,7 @@ void Results::write_result(const RunSummary& summary, const Simulation* simulati
                                        ? static_cast<double>(summary.particle_steps) / summary.stepping_time
                                        : 0.0;
     json["largest_overlap_over_radius"] = largest_overlap_;
-    json["state_hash"] = state_hash(simulation->snapshot());
+    json["state_hash"] = simulation->hash();
     json["ledger"] = {{"inserted", ledger.inserted},
                       {"present", state.parcels.size()},
                       {"removed", ledger.removed},

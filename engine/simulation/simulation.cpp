@@ -87,7 +87,8 @@ void Simulation::insert_due_parcels() {
     if (!source.open || source.done) continue;
     // Each source sees what the ones before it gave in this step.
     for (Parcel& p : draw_parcels(model_.sources[k], source, model_.seed, static_cast<std::uint32_t>(k),
-                                  state_.step, model_.dt, state_.parcels, model_.domain)) {
+                                  state_.step, model_.dt, state_.parcels, model_.domain,
+                                  [this](const Vec3&x, double r) { return clear_of_walls(x, r); })) {
       p.id = state_.next_id++;
       state_.parcels.body.push_back(p);
       state_.parcels.load.push_back({p.mass * model_.gravity, {}});
@@ -303,6 +304,10 @@ State Simulation::snapshot() const {
   copy.pairs = pairs_.pack(state_.parcels, threads());
   copy.walls = walls_.pack();
   return copy;
+}
+
+std::string Simulation::hash() const {
+  return state_hash(state_.parcels, pairs_.pack(state_.parcels, threads()), walls_.pack());
 }
 
 Vec3 Simulation::force_on_surface(std::size_t surface) const {

@@ -30,6 +30,8 @@ class Simulation {
   void stop_motion(std::size_t motion);
 
   State snapshot() const;
+  /// state_hash of the snapshot, without making one.
+  std::string hash() const;
   const Model& model() const { return model_; }
   const State& state() const { return state_; }  ///< without `pairs` and `walls`: see `snapshot`
   State& state() { return state_; }

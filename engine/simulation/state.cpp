@@ -166,22 +166,21 @@ State load_state(const std::vector<std::byte>& bytes) {
   return state;
 }
 
-std::string state_hash(const State& state) {
-  const std::size_t count = state.parcels.size();
+std::string state_hash(const Parcels& parcels, const TouchingList& pairs, const TouchingList& walls) {
+  const std::size_t count = parcels.size();
   std::vector<std::uint32_t> order(count);
   std::iota(order.begin(), order.end(), 0u);
-  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return state.parcels.body[a].id < state.parcels.body[b].id;
-  });
+  std::sort(order.begin(), order.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return parcels.body[a].id < parcels.body[b].id; });
   Hash hash;
   for (const std::uint32_t k : order) {
-    const Parcel& p = state.parcels.body[k];
+    const Parcel& p = parcels.body[k];
     hash.add(p.id);
     hash.add(p.position);
     hash.add(p.velocity);
     hash.add(p.spin);
-    add_contacts(hash, state.pairs, k);
-    add_contacts(hash, state.walls, k);
+    add_contacts(hash, pairs, k);
+    add_contacts(hash, walls, k);
   }
   return hash.text();
 }

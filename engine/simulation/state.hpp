@@ -58,6 +58,9 @@ State load_state(const std::vector<std::byte>& bytes);
 
 /// XXH3 128-bit hash (32 hexadecimal digits) of positions, velocities, spins and contact history, parcels in
 /// order of their ids: equal states have equal hashes however the store is sorted.
-std::string state_hash(const State& state);
+std::string state_hash(const Parcels& parcels, const TouchingList& pairs, const TouchingList& walls);
+inline std::string state_hash(const State& state) {
+  return state_hash(state.parcels, state.pairs, state.walls);
+}
 
 }  // namespace pulvis
