@@ -23,6 +23,10 @@
 // Runs the built program as a user would: with arguments, an environment and a folder to stand in.
 namespace pulvis::tests {
 
+/// Where the build put the program, and where the sources are.
+std::string program_path();
+std::string source_folder();
+
 using Json = nlohmann::json;
 
 inline std::string text_of(const std::filesystem::path& path) {
@@ -83,7 +87,7 @@ struct Outcome {
 struct Surroundings {
   std::vector<std::pair<std::string, std::string>> environment{};  ///< besides that of the test
   std::string folder{};                                            ///< to stand in; empty: that of the test
-  std::string executable = PULVIS_PROGRAM;
+  std::string executable = program_path();
 };
 
 /// A process that runs; ends with the test at the latest.
@@ -152,7 +156,7 @@ inline Outcome call(const std::vector<std::string>& arguments, const Surrounding
 inline testing::AssertionResult vtk_reads_all_of(const std::string& folder) {
   Surroundings python;
   python.executable = "/usr/bin/python3";
-  const Outcome seen = call({PULVIS_SOURCE_DIR "/tests/output/read_back.py", folder}, python);
+  const Outcome seen = call({source_folder() + "/tests/output/read_back.py", folder}, python);
   if (seen.exit == 0) return testing::AssertionSuccess();
   return testing::AssertionFailure() << seen.err;
 }
@@ -161,7 +165,7 @@ inline testing::AssertionResult vtk_reads_all_of(const std::string& folder) {
 inline Json open_series(const std::string& file) {
   Surroundings python;
   python.executable = "/usr/bin/python3";
-  const Outcome seen = call({PULVIS_SOURCE_DIR "/tests/run/open_series.py", file}, python);
+  const Outcome seen = call({source_folder() + "/tests/run/open_series.py", file}, python);
   if (seen.exit != 0) throw std::runtime_error("VTK cannot open " + file + ":\n" + seen.err);
   return Json::parse(seen.out);
 }

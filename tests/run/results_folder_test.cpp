@@ -166,9 +166,8 @@ TEST(FullDisk, BehindTheStandardOutputIsExitSixToo) {
   TemporaryFolder folder;
   Surroundings shell;
   shell.executable = "/bin/sh";
-  const Outcome outcome = call(
-      {"-c", std::string(PULVIS_PROGRAM) + " check " + folder.file("case.toml", small_die) + " > /dev/full"},
-      shell);
+  const Outcome outcome =
+      call({"-c", program_path() + " check " + folder.file("case.toml", small_die) + " > /dev/full"}, shell);
   EXPECT_EQ(outcome.exit, 6);
   EXPECT_TRUE(has(outcome.err, "standard output")) << outcome.err;
 }

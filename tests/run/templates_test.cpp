@@ -15,7 +15,7 @@ TEST(Templates, NewWritesTheExampleCaseAndItChecks) {
   ASSERT_EQ(made.exit, 0) << made.err;
   const std::string file = folder / "my/first-case/case.toml";
   EXPECT_TRUE(has(made.out, file)) << made.out;
-  EXPECT_EQ(text_of(file), text_of(PULVIS_SOURCE_DIR "/cases/die-filling/quick.toml"));
+  EXPECT_EQ(text_of(file), text_of(source_folder() + "/cases/die-filling/quick.toml"));
   const Outcome check = call({"check", file});
   EXPECT_EQ(check.exit, 0) << check.err;
 }
@@ -31,7 +31,7 @@ TEST(Templates, NewOverwritesNothing) {
 
 TEST(Templates, EveryCaseShippedChecksWithoutAWordOfOverlapAtRest) {
   std::size_t cases = 0;
-  for (const auto& entry : fs::recursive_directory_iterator(PULVIS_SOURCE_DIR "/cases")) {
+  for (const auto& entry : fs::recursive_directory_iterator(source_folder() + "/cases")) {
     if (entry.path().extension() != ".toml") continue;
     const Outcome check = call({"check", entry.path().string()});
     EXPECT_EQ(check.exit, 0) << entry.path() << "\n" << check.err;
