@@ -125,18 +125,11 @@ void add_walls(const Case& c, const std::vector<Species>& species, Model& model,
   }
 }
 
-double volume_of(const Region& r) {
-  if (r.shape == Region::Shape::cylinder) return 3.14159265358979323846 * square(r.radius) * r.height;
-  const Vec3 e = r.max - r.min;
-  return e.x * e.y * e.z;
-}
-
 /// Points of a region, its corners and rims among them.
 std::vector<Vec3> samples_of(const Region& r) {
   constexpr int steps = 16;
   std::vector<Vec3> points;
-  const Vec3 helper = std::abs(r.axis.x) < 0.6 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
-  const Vec3 across = cross(r.axis, helper), u = across / norm(across), v = cross(r.axis, u);
+  const Vec3 u = perpendicular(r.axis), v = cross(r.axis, u);
   for (int i = 0; i <= steps; ++i)
     for (int j = 0; j <= steps; ++j)
       for (int k = 0; k <= steps; ++k) {
@@ -203,7 +196,7 @@ void check_region(const Case& c, const Source& source, const SizeSampler& sizes,
             source.name, in_mm(narrowest), in_mm(sizes.largest())));
   if (source.kind != Source::Kind::pack) return;
   const double parcels = expected_parcels(c, source);
-  const double solid = parcels * sphere_volume(0.5) * sizes.mean_cube() / volume_of(r);
+  const double solid = parcels * sphere_volume(0.5) * sizes.mean_cube() / volume(r);
   if (solid > densest_random_pack)
     problems.add(
         "sources." + source.name,

@@ -41,7 +41,7 @@ double bed_stress(const Case& c, double mass) {
   for (const Wall& w : c.walls) {
     if (w.shape == Wall::Shape::plane) continue;
     if (w.region.shape == Region::Shape::cylinder)
-      area = std::min(area, 3.14159265358979323846 * square(w.region.radius));
+      area = std::min(area, pi * square(w.region.radius));
     else {
       const Vec3 e = w.region.max - w.region.min;
       const Vec3& g = c.gravity;
@@ -184,8 +184,7 @@ std::string check_report(const Case& c, const Assembly& a, const Forecast& f) {
   text += fmt::format("parcels {:.0f}, memory about {:.0f} MB, pressure under the bed about {}\n", f.parcels,
                       std::ceil(f.memory / 1e6), format_quantity(f.bed_stress, dimension::pressure));
   for (std::size_t k = 0; k < c.motions.size(); ++k) {
-    const double peak =
-        c.motions[k].amplitude * square(2.0 * 3.14159265358979323846 * c.motions[k].frequency);
+    const double peak = c.motions[k].amplitude * square(2.0 * pi * c.motions[k].frequency);
     text += fmt::format("motion {}: amplitude {}, {}, peak acceleration {} ({:.3g} g)\n", c.motions[k].name,
                         format_quantity(c.motions[k].amplitude, dimension::length),
                         format_quantity(c.motions[k].frequency, dimension::frequency),
