@@ -62,25 +62,18 @@ inline void stage_pair(ContactBlock& b, std::uint32_t slot, const Parcel& p, con
   b.mass_second[k] = q.mass;
 }
 
-WallSight look(const Surface& surface, const Vec3& centre_in_body) {
-  const NearestPoint nearest = nearest_point(surface, centre_in_body);
-  const Vec3 offset = nearest.point - centre_in_body;
-  return {nearest, offset, norm(offset)};
-}
-
 /// Slot of the surface a contact on an edge belongs to: of the surfaces of the same body that share the edge
 /// the nearest, else one that is touched on its face, else the one named first. So an edge shared by two
 /// faces is one contact, and none while the parcel rests on a face itself.
 std::uint32_t owner_of_edge(const NearWalls& near, std::uint32_t begin, std::span<const WallSight> sights,
-                            std::uint32_t own, double radius, std::span<const Surface> surfaces) {
+                            std::uint32_t own, double radius, const Walls& walls) {
   const double same = 1e-9 * radius;
-  const Surface& surface = surfaces[near.surface[begin + own]];
+  const Vec3 edge_point = sights[own].nearest.point;
+  const std::uint32_t body = walls.surfaces[near.surface[begin + own]].body;
   std::uint32_t best = own;
   for (std::uint32_t other = 0; other < sights.size(); ++other) {
-    const Surface& s = surfaces[near.surface[begin + other]];
-    if (other == own || s.body != surface.body) continue;
-    const Vec3 away = nearest_point(s, sights[own].nearest.point).point - sights[own].nearest.point;
-    if (dot(away, away) > same * same) continue;
+    if (other == own || walls.surfaces[near.surface[begin + other]].body != body) continue;
+    if (look(walls, near, begin + other, edge_point).distance > same) continue;
     const WallSight &a = sights[other], &b = sights[best];
     const bool as_near = magnitude(a.distance - b.distance) <= same;
     if (as_near ? (a.nearest.in_face != b.nearest.in_face ? a.nearest.in_face : other < best)
@@ -90,36 +83,38 @@ std::uint32_t owner_of_edge(const NearWalls& near, std::uint32_t begin, std::spa
   return best;
 }
 
-void stage_wall(ContactBlock& b, std::uint32_t slot, const Parcel& p, const Surface& surface,
-                const Pose& pose, const WallSight& sight, const NearWalls& near, double dt) {
+/// Direction to the wall in the middle of the step, in space: where curved surfaces, edges and turning bodies
+/// stood dt/2 ago.
+Vec3 half_normal(const WallSight& half, const Pose& pose) {
+  const Vec3 there = half.offset / half.distance;
+  if (!pose.turns) return pose.now.turn(there);
+  const Vec3 between = pose.now.turn(there) + pose.before.turn(there);
+  return between / norm(between);
+}
+
+void stage_wall(ContactBlock& b, std::uint32_t slot, const Parcel& p, const Walls& walls, const Pose& pose,
+                const WallSight& sight, const Vec3& before_at, const Vec3& at, NearWalls& near, double dt) {
   const int k = b.count++;
   stage_history(b, k, slot, near.touching[slot] != 0, near.history[slot]);
-  const Vec3 normal = sight.offset / sight.distance;
-  const Vec3 wall_velocity = (pose.now - pose.before) / dt;  // the mean over the step, so overlaps are exact
-  // The normal in the middle of the step: where curved surfaces and edges stood dt/2 ago.
-  const Vec3 half_centre = p.position - (0.5 * dt) * p.velocity - 0.5 * (pose.now + pose.before);
-  const WallSight half = look(surface, half_centre);
-  const bool flat = sight.nearest.in_face && surface.kind != Surface::Kind::tube;
+  near.touched_facet[slot] = sight.facet;
+  const Vec3 normal = pose.now.turn(sight.offset / sight.distance);
+  const WallSight half = look(walls, near, slot, 0.5 * (before_at + at));
+  const Surface::Kind kind = walls.surfaces[near.surface[slot]].kind;
+  const bool flat =
+      sight.nearest.in_face && !pose.turns &&
+      (kind == Surface::Kind::plane || kind == Surface::Kind::rectangle || kind == Surface::Kind::disc);
   put(b.normal, k, normal);
-  put(b.half_normal, k, flat || half.distance == 0.0 ? normal : half.offset / half.distance);
-  put(b.velocity, k, p.velocity - wall_velocity);
+  put(b.half_normal, k, flat || half.distance == 0.0 ? normal : half_normal(half, pose));
+  put(b.velocity, k, p.velocity - pose.velocity(half.nearest.point, dt));
   put(b.spin_first, k, p.spin);
-  put(b.spin_second, k, {});
+  put(b.spin_second, k, pose.spin);
   b.overlap[k] = p.radius - sight.distance;
   b.radius[k] = p.radius;  // a wall counts as flat: R* = R
   b.mass[k] = p.mass;
   b.arm_first[k] = sight.distance;
-  b.arm_second[k] = 0.0;
+  b.arm_second[k] = 0.0;  // the wall's velocity above is that of the point of contact itself
   b.half_arm_first[k] = half.distance;
   b.half_arm_second[k] = 0.0;
-}
-
-/// Whether the centre changed sides during the step, through the face itself.
-bool crossed(const Surface& surface, const Parcel& p, const Pose& pose, const WallSight& sight, double dt) {
-  if (!sight.nearest.in_face) return false;
-  const Vec3 before = p.position - dt * p.velocity - pose.before;
-  const double was = nearest_point(surface, before).elevation, is = sight.nearest.elevation;
-  return is == 0.0 || (was > 0.0) != (is > 0.0);
 }
 
 }  // namespace
@@ -153,22 +148,21 @@ void ContactEvaluator::pairs(NearPairs& near, const Parcels& parcels, const Cont
 /// Looks at every surface near parcel `i` and gives each contact on a shared edge to one of them. A contact
 /// that changes surfaces there takes its memory along: it ends by its law only. Returns through `owner` the
 /// slot, from the parcel's first, that each contact now belongs to.
-void ContactEvaluator::settle_edges(NearWalls& near, std::uint32_t i, const Parcel& p,
-                                    std::span<const Surface> surfaces, std::span<const Pose> poses,
-                                    Scratch& scratch) {
+void ContactEvaluator::settle_edges(NearWalls& near, std::uint32_t i, const Parcel& p, const Walls& walls,
+                                    std::span<const Pose> poses, Scratch& scratch) {
   const std::uint32_t begin = near.begin[i], count = near.begin[i + 1] - begin;
   scratch.sights.resize(count);
   scratch.owner.resize(count);
   for (std::uint32_t k = 0; k < count; ++k) {
-    const Surface& surface = surfaces[near.surface[begin + k]];
-    scratch.sights[k] = look(surface, p.position - poses[surface.body].now);
+    const Surface& surface = walls.surfaces[near.surface[begin + k]];
+    scratch.sights[k] = look(walls, near, begin + k, poses[surface.body].now.back(p.position));
     scratch.owner[k] = k;
   }
   bool any = false;
   for (std::uint32_t k = 0; k < count; ++k) {
     const WallSight& sight = scratch.sights[k];
     if (sight.nearest.in_face || !(near.touching[begin + k] || sight.distance < p.radius)) continue;
-    scratch.owner[k] = owner_of_edge(near, begin, scratch.sights, k, p.radius, surfaces);
+    scratch.owner[k] = owner_of_edge(near, begin, scratch.sights, k, p.radius, walls);
     any |= scratch.owner[k] != k;
   }
   if (!any) return;
@@ -188,10 +182,9 @@ void ContactEvaluator::settle_edges(NearWalls& near, std::uint32_t i, const Parc
   }
 }
 
-void ContactEvaluator::walls(NearWalls& near, const Parcels& parcels, std::span<const Surface> surfaces,
-                             std::span<const Body> bodies, std::span<const Pose> poses,
-                             const ContactClasses& classes, double dt, int threads,
-                             std::vector<Crossing>& crossings) {
+void ContactEvaluator::walls(NearWalls& near, const Parcels& parcels, const Walls& walls,
+                             std::span<const Pose> poses, const ContactClasses& classes, double dt,
+                             int threads, std::vector<Crossing>& crossings) {
   for (auto& s : scratch_) s.crossings.clear();
   parallel_shares(parcels.size(), threads, [&](std::size_t from, std::size_t to, int thread) {
     auto& scratch = scratch_[static_cast<std::size_t>(thread)];
@@ -199,17 +192,20 @@ void ContactEvaluator::walls(NearWalls& near, const Parcels& parcels, std::span<
       const std::uint32_t begin = near.begin[i], end = near.begin[i + 1];
       if (begin == end) continue;
       const Parcel& p = parcels.body[i];
-      settle_edges(near, i, p, surfaces, poses, scratch);
+      settle_edges(near, i, p, walls, poses, scratch);
       for (std::uint32_t slot = begin; slot < end; ++slot) {
-        const Surface& surface = surfaces[near.surface[slot]];
+        const Surface& surface = walls.surfaces[near.surface[slot]];
         const Pose& pose = poses[surface.body];
         const WallSight& sight = scratch.sights[slot - begin];
-        if (crossed(surface, p, pose, sight, dt)) scratch.crossings.push_back({i, near.surface[slot]});
+        // In the frame of the body, where the surface stands still.
+        const Vec3 at = pose.now.back(p.position), before_at = pose.before.back(p.position - dt * p.velocity);
+        if (crossed(walls, near, slot, sight, before_at, at))
+          scratch.crossings.push_back({i, near.surface[slot]});
         const bool in_reach = near.touching[slot] || sight.distance < p.radius;
         if (!in_reach || sight.distance == 0.0 || scratch.owner[slot - begin] != slot - begin) continue;
-        const std::uint32_t c = classes.index(p.species, bodies[surface.body].species);
+        const std::uint32_t c = classes.index(p.species, surface.species);
         ContactBlock& b = scratch.block[c];
-        stage_wall(b, slot, p, surface, pose, sight, near, dt);
+        stage_wall(b, slot, p, walls, pose, sight, before_at, at, near, dt);
         if (b.count == kernels::block_size) finish_walls(b, classes.all()[c], near, dt);
       }
     }

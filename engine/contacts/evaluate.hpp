@@ -6,6 +6,7 @@
 #include "engine/contacts/contact_classes.hpp"
 #include "engine/contacts/near_pairs.hpp"
 #include "engine/contacts/near_walls.hpp"
+#include "engine/contacts/wall_sight.hpp"
 
 namespace pulvis {
 
@@ -13,13 +14,6 @@ namespace pulvis {
 struct Crossing {
   std::uint32_t parcel;  ///< index in the store
   std::uint32_t surface;
-};
-
-/// A parcel at one surface, at the end of a step.
-struct WallSight {
-  NearestPoint nearest;  ///< in the frame of the body
-  Vec3 offset;           ///< from the parcel's centre to the nearest point, m
-  double distance;       ///< m
 };
 
 /// Evaluates all contacts of a step: stages what touches into blocks of one contact class each, runs the
@@ -32,9 +26,8 @@ class ContactEvaluator {
   void pairs(NearPairs& near, const Parcels& parcels, const ContactClasses& classes,
              const NearestImage& nearest, double dt, int threads);
   /// Fills `crossings`, ascending in the parcel's index.
-  void walls(NearWalls& near, const Parcels& parcels, std::span<const Surface> surfaces,
-             std::span<const Body> bodies, std::span<const Pose> poses, const ContactClasses& classes,
-             double dt, int threads, std::vector<Crossing>& crossings);
+  void walls(NearWalls& near, const Parcels& parcels, const Walls& walls, std::span<const Pose> poses,
+             const ContactClasses& classes, double dt, int threads, std::vector<Crossing>& crossings);
 
  private:
   struct Scratch {
@@ -43,8 +36,8 @@ class ContactEvaluator {
     std::vector<WallSight> sights;     ///< of one parcel, per slot
     std::vector<std::uint32_t> owner;  ///< of one parcel, per slot: see settle_edges
   };
-  static void settle_edges(NearWalls& near, std::uint32_t parcel, const Parcel& p,
-                           std::span<const Surface> surfaces, std::span<const Pose> poses, Scratch& scratch);
+  static void settle_edges(NearWalls& near, std::uint32_t parcel, const Parcel& p, const Walls& walls,
+                           std::span<const Pose> poses, Scratch& scratch);
 
   std::vector<Scratch> scratch_;
 };

@@ -11,11 +11,12 @@
 namespace pulvis {
 
 /// Parcels and surfaces that touch or could before the next rebuild; a parcel's slots lie together, surfaces
-/// ascending.
+/// ascending. A slot of a patch lists the triangles that can come into question.
 class NearWalls {
  public:
-  /// Finds all surfaces closer to a parcel than its margin + that of the surface's body + reach, m.
-  void rebuild(const Parcels& parcels, std::span<const Surface> surfaces, std::span<const Pose> poses,
+  /// Finds all surfaces closer to a parcel than its margin + that of the surface's body + reach, m. Bodies
+  /// that are absent are passed over.
+  void rebuild(const Parcels& parcels, const Walls& walls, std::span<const Pose> poses,
                std::span<const double> margin, std::span<const double> body_margin, double reach,
                int threads);
   TouchingList pack() const;
@@ -26,13 +27,23 @@ class NearWalls {
   void take_over_loads(const NearWalls& old, std::span<const std::uint32_t> old_index);
 
   std::size_t slots() const { return parcel.size(); }
+  /// Triangles of the slot's patch that can come into question, ascending; none for a shape.
+  std::span<const std::uint32_t> facets(std::size_t slot) const {
+    return {facet_.data() + facet_begin_[slot], facet_.data() + facet_begin_[slot + 1]};
+  }
+
+  static constexpr std::uint32_t no_facet = 0xffffffffu;
 
   std::vector<std::uint32_t> begin;  ///< per parcel, slots [begin[k], begin[k + 1])
   // Per slot.
   std::vector<std::uint32_t> parcel, surface;
+  std::vector<std::uint32_t> touched_facet;  ///< triangle of the last evaluation, or no_facet
   std::vector<std::uint8_t> touching;
   std::vector<laws::History> history;
   std::vector<Load> load;  ///< on the parcel, N and N m about its centre
+
+ private:
+  std::vector<std::uint32_t> facet_begin_{0}, facet_;
 };
 
 }  // namespace pulvis

@@ -14,6 +14,27 @@ inline void kick(Parcel& p, const Load& load, double half_dt) {
   p.spin += (half_dt / inertia(p)) * load.torque;
 }
 
+/// Half a step that begins with the velocities seen from a rotating frame.
+inline void kick_rotating_first(Parcel& p, const Load& load, const ForceField& field, double half_dt) {
+  const Vec3 coriolis = -2.0 * cross(field.spin, p.velocity);
+  const Vec3 turning = -cross(field.spin, p.spin) - field.spin_rate;
+  kick(p, load, half_dt);
+  p.velocity += half_dt * coriolis;
+  p.spin += half_dt * turning;
+}
+
+/// The x of x + w x x = b (with the cross product of w).
+inline Vec3 solve_turning(const Vec3& w, const Vec3& b) {
+  return (b - cross(w, b) + dot(w, b) * w) / (1.0 + dot(w, w));
+}
+
+/// Half a step that ends with them.
+inline void kick_rotating_last(Parcel& p, const Load& load, const ForceField& field, double half_dt) {
+  kick(p, load, half_dt);
+  p.velocity = solve_turning((2.0 * half_dt) * field.spin, p.velocity);
+  p.spin = solve_turning(half_dt * field.spin, p.spin - half_dt * field.spin_rate);
+}
+
 /// Moves a coordinate that left a periodic axis back by one length, and its reference with it.
 inline void wrap(double& x, double& reference, double low, double high) {
   const double length = high - low;
@@ -34,15 +55,18 @@ inline bool inside(const Vec3& x, const Box& box) {
 
 }  // namespace
 
-StepNotice begin_step(Parcels& parcels, const Box& box, double dt, std::span<Vec3> reference,
-                      std::span<const double> margin, int threads) {
+StepNotice begin_step(Parcels& parcels, const Box& box, const ForceField& field, double dt,
+                      std::span<Vec3> reference, std::span<const double> margin, int threads) {
   const bool any_periodic = box.periodic[0] || box.periodic[1] || box.periodic[2];
   std::vector<StepNotice> notice(static_cast<std::size_t>(threads < 1 ? 1 : threads));
   parallel_shares(parcels.size(), threads, [&](std::size_t from, std::size_t to, int thread) {
     StepNotice mine;
     for (std::size_t i = from; i < to; ++i) {
       Parcel& p = parcels.body[i];
-      kick(p, parcels.load[i], 0.5 * dt);
+      if (field.rotating)
+        kick_rotating_first(p, parcels.load[i], field, 0.5 * dt);
+      else
+        kick(p, parcels.load[i], 0.5 * dt);
       const Vec3 move = dt * p.velocity;
       p.position += move;
       if (any_periodic)
@@ -64,12 +88,12 @@ StepNotice begin_step(Parcels& parcels, const Box& box, double dt, std::span<Vec
   return all;
 }
 
-void end_step(Parcels& parcels, const NearPairs& pairs, const NearWalls& walls, const Vec3& gravity,
+void end_step(Parcels& parcels, const NearPairs& pairs, const NearWalls& walls, const ForceField& field,
               double dt, int threads) {
   parallel_shares(parcels.size(), threads, [&](std::size_t from, std::size_t to, int) {
     for (std::size_t i = from; i < to; ++i) {
       Parcel& p = parcels.body[i];
-      Load sum{p.mass * gravity, {}};
+      Load sum{p.mass * field.at(p.position), {}};
       for (std::uint32_t k = pairs.begin[i]; k < pairs.begin[i + 1]; ++k) {
         const std::uint32_t slot = pairs.entry[k] >> 1;
         if (!pairs.touching[slot]) continue;
@@ -88,7 +112,10 @@ void end_step(Parcels& parcels, const NearPairs& pairs, const NearWalls& walls, 
         sum.torque += walls.load[slot].torque;
       }
       parcels.load[i] = sum;
-      kick(p, sum, 0.5 * dt);
+      if (field.rotating)
+        kick_rotating_last(p, sum, field, 0.5 * dt);
+      else
+        kick(p, sum, 0.5 * dt);
     }
   });
 }

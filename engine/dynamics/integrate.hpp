@@ -4,6 +4,7 @@
 
 #include "engine/contacts/near_pairs.hpp"
 #include "engine/contacts/near_walls.hpp"
+#include "engine/dynamics/body_force.hpp"
 #include "engine/parcels/domain.hpp"
 #include "engine/parcels/parcels.hpp"
 
@@ -19,13 +20,17 @@ struct StepNotice {
 /// First half of velocity Verlet: v += (F/m) dt/2, omega += (T/I) dt/2, x += v dt; wraps periodic axes.
 /// Velocities then are those of the middle of the step, in step with the displacement they made (synchronised
 /// velocities, D. R. Vyas et al., Comput. Phys. Commun. 310 (2025) 109524). `reference` are the positions the
-/// lists were made at; they wrap along.
-StepNotice begin_step(Parcels& parcels, const Box& box, double dt, std::span<Vec3> reference,
-                      std::span<const double> margin, int threads);
+/// lists were made at; they wrap along. `field` is that of the beginning of the step.
+StepNotice begin_step(Parcels& parcels, const Box& box, const ForceField& field, double dt,
+                      std::span<Vec3> reference, std::span<const double> margin, int threads);
 
-/// Sums each parcel's loads in a fixed order: gravity, pair contacts by the partner's id, walls by surface;
-/// then the second half of velocity Verlet.
-void end_step(Parcels& parcels, const NearPairs& pairs, const NearWalls& walls, const Vec3& gravity,
+/// Sums each parcel's loads in a fixed order: body forces, pair contacts by the partner's id, walls by
+/// surface; then the second half of velocity Verlet. `field` is that of the end of the step.
+///
+/// In a rotating frame Coriolis's acceleration -2 Omega x v (and, for the spin seen from the frame,
+/// -Omega x omega - dOmega/dt) takes the velocity before the first half kick and after the second, which is
+/// the trapezoidal rule: second order, and it does no work.
+void end_step(Parcels& parcels, const NearPairs& pairs, const NearWalls& walls, const ForceField& field,
               double dt, int threads);
 
 }  // namespace pulvis

@@ -4,21 +4,22 @@
 #include <vector>
 
 #include "engine/contacts/contact_classes.hpp"
+#include "engine/dynamics/body_force.hpp"
 #include "engine/insertion/source.hpp"
 #include "engine/parcels/domain.hpp"
 #include "engine/walls/bodies.hpp"
+#include "engine/walls/motion.hpp"
 
 namespace pulvis {
 
 /// Everything about a run that never changes while it runs. SI.
 struct Model {
   Box domain;
-  Vec3 gravity;     ///< m/s^2
+  BodyForce body_force;
   double dt = 0.0;  ///< s
   ContactClasses classes;
-  std::vector<Surface> surfaces;
-  std::vector<Body> bodies;
-  std::vector<SineMotion> motions;
+  Walls walls;
+  std::vector<Motion> motions;
   std::vector<SourceModel> sources;
   std::uint64_t seed = 1;
   double smallest_radius = 0.0, largest_radius = 0.0;  ///< m, of all parcels that can appear

@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "engine/base/failure.hpp"
+#include "engine/contacts/wall_sight.hpp"
 
 namespace pulvis {
 namespace {
@@ -26,7 +27,7 @@ std::vector<std::uint32_t> same_order(std::size_t count) {
 State Simulation::initial_state(const Model& model) {
   State state;
   state.motions.resize(model.motions.size());
-  state.body_offset.resize(model.bodies.size());
+  state.body_absent.assign(model.walls.bodies.size(), 0);
   state.sources.resize(model.sources.size());
   state.pairs.begin = state.walls.begin = {0};
   return state;
@@ -38,11 +39,13 @@ Simulation::Simulation(Model model, State state, int threads)
       most_threads_(std::max(threads, 1)),
       nearest_(NearestImage::of(model_.domain)),
       reach_(model_.classes.longest_reach(model_.largest_radius)),
-      poses_(model_.bodies.size()),
+      poses_(model_.walls.bodies.size()),
       evaluator_(most_threads_, model_.classes.all().size()) {
+  find_body_corners();
   for (std::size_t b = 0; b < poses_.size(); ++b) {
-    const Vec3 at = displacement_at(b, state_.step);
-    poses_[b] = {at, at};
+    const Rigid at = placement(b, state_.step);
+    poses_[b] = Pose::of_step(at, at, model_.dt);
+    poses_[b].absent = state_.body_absent[b] != 0;
   }
   const TouchingList pairs = std::move(state_.pairs), walls = std::move(state_.walls);
   state_.pairs = state_.walls = {};
@@ -57,15 +60,15 @@ int Simulation::threads() const {
 void Simulation::step() {
   insert_due_parcels();
   const StepNotice notice =
-      begin_step(state_.parcels, model_.domain, model_.dt, reference_, margin_, threads());
+      begin_step(state_.parcels, model_.domain, field(), model_.dt, reference_, margin_, threads());
   move_bodies_to(state_.step + 1);
   if (notice.outside || notice.too_fast) take_out_escaped(notice);
   if (notice.stale || a_body_left_its_margin()) rebuild();
   evaluator_.pairs(pairs_, state_.parcels, model_.classes, nearest_, model_.dt, threads());
-  evaluator_.walls(walls_, state_.parcels, model_.surfaces, model_.bodies, poses_, model_.classes, model_.dt,
-                   threads(), crossings_);
-  end_step(state_.parcels, pairs_, walls_, model_.gravity, model_.dt, threads());
+  evaluator_.walls(walls_, state_.parcels, model_.walls, poses_, model_.classes, model_.dt, threads(),
+                   crossings_);
   ++state_.step;
+  end_step(state_.parcels, pairs_, walls_, field(), model_.dt, threads());
   if (!crossings_.empty()) take_out_crossed();
 }
 
@@ -91,7 +94,7 @@ void Simulation::insert_due_parcels() {
                                   [this](const Vec3&x, double r) { return clear_of_walls(x, r); })) {
       p.id = state_.next_id++;
       state_.parcels.body.push_back(p);
-      state_.parcels.load.push_back({p.mass * model_.gravity, {}});
+      state_.parcels.load.push_back({p.mass * field().at(p.position), {}});
       ++state_.ledger.inserted;
       state_.ledger.inserted_mass += p.mass;
     }
@@ -105,32 +108,91 @@ void Simulation::insert_due_parcels() {
 }
 
 bool Simulation::clear_of_walls(const Vec3& centre, double radius) const {
-  for (const Surface& s : model_.surfaces) {
-    const Vec3 at = centre - poses_[s.body].now;
+  for (const Surface& s : model_.walls.surfaces) {
+    if (s.kind == Surface::Kind::patch || poses_[s.body].absent) continue;
+    const Vec3 at = poses_[s.body].now.back(centre);
     if (norm(nearest_point(s, at).point - at) < radius) return false;
+  }
+  for (const FacetedWall& mesh : model_.walls.meshes) {
+    const Pose& pose = poses_[model_.walls.surfaces[mesh.first_surface].body];
+    if (pose.absent) continue;
+    const Vec3 at = pose.now.back(centre);
+    bool clear = true;
+    mesh.for_near(at, radius, [&](std::uint32_t triangle) {
+      clear = clear && norm(mesh.nearest(triangle, at).point - at) >= radius;
+    });
+    if (!clear) return false;
   }
   return true;
 }
 
-void Simulation::start_motion(std::size_t motion) { state_.motions[motion] = {true, state_.step}; }
-
-void Simulation::stop_motion(std::size_t motion) {
-  if (!state_.motions[motion].running) return;
-  for (std::size_t b = 0; b < model_.bodies.size(); ++b)
-    if (model_.bodies[b].motion == motion) state_.body_offset[b] = displacement_at(b, state_.step);
-  state_.motions[motion] = {};
+void Simulation::start_motion(std::size_t motion) {
+  state_.motions[motion].running = true;
+  state_.motions[motion].start = state_.step;
 }
 
-Vec3 Simulation::displacement_at(std::size_t body, std::uint64_t step) const {
-  const auto motion = model_.bodies[body].motion;
-  const Vec3 offset = state_.body_offset[body];
-  if (!motion || !state_.motions[*motion].running) return offset;
-  const double since = static_cast<double>(step - state_.motions[*motion].start) * model_.dt;
-  return offset + model_.motions[*motion].displacement(since);
+void Simulation::stop_motion(std::size_t motion) {
+  MotionState& m = state_.motions[motion];
+  if (!m.running) return;
+  const double since = static_cast<double>(state_.step - m.start) * model_.dt;
+  m.left = displacement(model_.motions[motion], since) * m.left;
+  m.running = false;
+}
+
+Rigid Simulation::placement(std::size_t body, std::uint64_t step) const {
+  Rigid at;
+  for (const std::size_t motion : model_.walls.bodies[body].motions) {
+    const MotionState& m = state_.motions[motion];
+    Rigid moved = m.left;
+    if (m.running)
+      moved = displacement(model_.motions[motion], static_cast<double>(step - m.start) * model_.dt) * moved;
+    at = moved * at;
+  }
+  return at;
 }
 
 void Simulation::move_bodies_to(std::uint64_t step) {
-  for (std::size_t b = 0; b < poses_.size(); ++b) poses_[b] = {poses_[b].now, displacement_at(b, step)};
+  for (std::size_t b = 0; b < poses_.size(); ++b) {
+    const bool absent = poses_[b].absent;
+    poses_[b] = Pose::of_step(poses_[b].now, placement(b, step), model_.dt);
+    poses_[b].absent = absent;
+  }
+}
+
+void Simulation::set_absent(std::size_t body, bool absent) {
+  if (poses_[body].absent == absent) return;
+  state_.body_absent[body] = absent ? 1 : 0;
+  poses_[body].absent = absent;
+  TouchingList kept = walls_.pack();
+  if (absent) kept = without_body(kept, body);
+  rebuild(pairs_.pack(state_.parcels, threads()), kept, same_order(state_.parcels.size()));
+  if (!absent) require_nothing_inside(body);
+}
+
+TouchingList Simulation::without_body(const TouchingList& list, std::size_t body) const {
+  TouchingList kept;
+  for (std::size_t i = 0; i + 1 < list.begin.size(); ++i) {
+    for (std::uint32_t k = list.begin[i]; k < list.begin[i + 1]; ++k) {
+      if (model_.walls.surfaces[list.partner[k]].body == body) continue;
+      kept.partner.push_back(list.partner[k]);
+      kept.history.push_back(list.history[k]);
+    }
+    kept.begin.push_back(static_cast<std::uint32_t>(kept.partner.size()));
+  }
+  return kept;
+}
+
+void Simulation::require_nothing_inside(std::size_t body) const {
+  constexpr double deepest = 0.5;  // radii between centre and wall; contacts never come near it
+  for (std::size_t i = 0; i < state_.parcels.size(); ++i)
+    for (std::uint32_t slot = walls_.begin[i]; slot < walls_.begin[i + 1]; ++slot) {
+      const Parcel& p = state_.parcels.body[i];
+      if (model_.walls.surfaces[walls_.surface[slot]].body != body) continue;
+      if (look(model_.walls, walls_, slot, poses_[body].now.back(p.position)).distance >= deepest * p.radius)
+        continue;
+      fail_at(fmt::format("{} appears where powder is", model_.walls.bodies[body].name).c_str(),
+              "let it appear in a phase in which its place is free", p);
+    }
 }
 
 // --- parcels that leave ----------------------------------------------------------------------------------
@@ -171,7 +233,7 @@ void Simulation::take_out_crossed() {
   for (const Crossing& c : crossings_) {
     if (!out.empty() && out.back() == c.parcel) continue;
     const Parcel& p = state_.parcels.body[c.parcel];
-    state_.escapes.push_back({p.id, time(), p.position, p.velocity, model_.surfaces[c.surface].name});
+    state_.escapes.push_back({p.id, time(), p.position, p.velocity, model_.walls.surfaces[c.surface].name});
     out.push_back(c.parcel);
   }
   crossings_.clear();
@@ -223,17 +285,46 @@ void Simulation::choose_margins() {
     margin_[i] = p.radius * std::clamp(1.2 * wish + least, least, most);
   }
   body_margin_.resize(poses_.size());
-  for (std::size_t b = 0; b < poses_.size(); ++b) {
-    const auto motion = model_.bodies[b].motion;
-    const bool moves = motion && state_.motions[*motion].running;
-    const double speed = moves ? model_.motions[*motion].peak_speed() : 0.0;
-    body_margin_[b] = least * model_.smallest_radius + speed * model_.dt * steps_between_rebuilds;
+  for (std::size_t b = 0; b < poses_.size(); ++b)
+    body_margin_[b] = least * model_.smallest_radius + speed_bound(b) * model_.dt * steps_between_rebuilds;
+}
+
+double Simulation::speed_bound(std::size_t body) const {
+  double speed = 0.0;
+  for (const std::size_t motion : model_.walls.bodies[body].motions) {
+    if (!state_.motions[motion].running) continue;
+    double farthest = 0.0;
+    for (const Vec3& corner : body_corners_[body])
+      farthest = greatest(farthest, norm(poses_[body].now(corner) - axis_point(model_.motions[motion])));
+    speed += peak_speed(model_.motions[motion], farthest);
+  }
+  return speed;
+}
+
+void Simulation::find_body_corners() {
+  for (std::uint32_t b = 0; b < poses_.size(); ++b) {
+    Vec3 low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
+    bool bounded = true;
+    for (const Surface& s : model_.walls.surfaces)
+      if (s.body == b && s.kind != Surface::Kind::patch) bounded = include(s, low, high) && bounded;
+    for (const FacetedWall& mesh : model_.walls.meshes)
+      if (model_.walls.surfaces[mesh.first_surface].body == b) mesh.include(low, high);
+    if (!bounded) {  // what lies in the domain now may have come from beyond it
+      low = model_.domain.min - model_.domain.extent();
+      high = model_.domain.max + model_.domain.extent();
+    }
+    std::array<Vec3, 8> corners;
+    for (unsigned k = 0; k < 8; ++k)
+      corners[k] = {k & 1u ? high.x : low.x, k & 2u ? high.y : low.y, k & 4u ? high.z : low.z};
+    body_corners_.push_back(corners);
   }
 }
 
 bool Simulation::a_body_left_its_margin() const {
+  // A displacement is linear in the point, so its largest size lies at a corner.
   for (std::size_t b = 0; b < poses_.size(); ++b)
-    if (norm(poses_[b].now - body_reference_[b]) > body_margin_[b]) return true;
+    for (const Vec3& corner : body_corners_[b])
+      if (norm(poses_[b].now(corner) - body_reference_[b](corner)) > body_margin_[b]) return true;
   return false;
 }
 
@@ -285,9 +376,11 @@ std::vector<std::uint32_t> Simulation::rebuild(const TouchingList& old_pairs, co
   for (std::size_t b = 0; b < poses_.size(); ++b) body_reference_[b] = poses_[b].now;
 
   pairs_.rebuild(state_.parcels, margin_, reach_, model_.domain, threads());
-  walls_.rebuild(state_.parcels, model_.surfaces, poses_, margin_, body_margin_, reach_, threads());
+  walls_.rebuild(state_.parcels, model_.walls, poses_, margin_, body_margin_, reach_, threads());
   const std::size_t found =
       pairs_.restore(old_pairs, old_index, state_.parcels, threads()) + walls_.restore(old_walls, old_index);
+
+  sort_wall_slots();
 
   // Contacts may end only by separation or with a parcel that was taken out.
   if (old_pairs.begin.size() == count + 1 && found != old_pairs.size() + old_walls.size())
@@ -298,6 +391,13 @@ std::vector<std::uint32_t> Simulation::rebuild(const TouchingList& old_pairs, co
 }
 
 // --- what others may ask ---------------------------------------------------------------------------------
+
+void Simulation::sort_wall_slots() {
+  wall_slots_by_id_ = same_order(walls_.slots());
+  std::stable_sort(wall_slots_by_id_.begin(), wall_slots_by_id_.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return state_.parcels.body[walls_.parcel[a]].id < state_.parcels.body[walls_.parcel[b]].id;
+  });
+}
 
 State Simulation::snapshot() const {
   State copy = state_;
@@ -311,13 +411,9 @@ std::string Simulation::hash() const {
 }
 
 Vec3 Simulation::force_on_surface(std::size_t surface) const {
-  std::vector<std::pair<std::uint32_t, Vec3>> forces;
-  for (std::size_t slot = 0; slot < walls_.slots(); ++slot)
-    if (walls_.surface[slot] == surface && walls_.touching[slot])
-      forces.push_back({state_.parcels.body[walls_.parcel[slot]].id, -walls_.load[slot].force});
-  std::sort(forces.begin(), forces.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   Vec3 sum;
-  for (const auto& [id, force] : forces) sum += force;
+  for (const std::uint32_t slot : wall_slots_by_id_)
+    if (walls_.surface[slot] == surface && walls_.touching[slot]) sum -= walls_.load[slot].force;
   return sum;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <array>
 #include <vector>
 
 #include "engine/contacts/evaluate.hpp"
@@ -28,6 +29,9 @@ class Simulation {
   void close_source(std::size_t source);
   void start_motion(std::size_t motion);
   void stop_motion(std::size_t motion);
+  /// Takes a body away or puts it back where its motions have it now. Throws Failure(physics) if parcels are
+  /// where it appears.
+  void set_absent(std::size_t body, bool absent);
 
   State snapshot() const;
   /// state_hash of the snapshot, without making one.
@@ -38,7 +42,9 @@ class Simulation {
   const NearPairs& pairs() const { return pairs_; }
   const NearWalls& walls() const { return walls_; }
   double time() const { return static_cast<double>(state_.step) * model_.dt; }
-  Vec3 body_displacement(std::size_t body) const { return poses_[body].now; }
+  const Pose& pose(std::size_t body) const { return poses_[body]; }
+  /// Body forces at the end of the step.
+  ForceField field() const { return model_.body_force.at(time()); }
   /// Threads in use: no more than are worth waking for so many parcels.
   int threads() const;
   int most_threads() const { return most_threads_; }
@@ -46,6 +52,9 @@ class Simulation {
 
   /// Force of all parcels on a surface, N, summed in order of ids.
   Vec3 force_on_surface(std::size_t surface) const;
+  /// Slots of walls() in the order of the parcels' ids, surfaces ascending: sums that go through it do not
+  /// depend on how the store is sorted. Made anew at each rebuild.
+  const std::vector<std::uint32_t>& wall_slots_by_id() const { return wall_slots_by_id_; }
 
   /// Bytes held by the arrays that grow with the number of parcels.
   std::size_t memory() const;
@@ -54,7 +63,12 @@ class Simulation {
   void insert_due_parcels();
   bool clear_of_walls(const Vec3& centre, double radius) const;
   void move_bodies_to(std::uint64_t step);
-  Vec3 displacement_at(std::size_t body, std::uint64_t step) const;
+  Rigid placement(std::size_t body, std::uint64_t step) const;
+  double speed_bound(std::size_t body) const;
+  void find_body_corners();
+  TouchingList without_body(const TouchingList& list, std::size_t body) const;
+  void require_nothing_inside(std::size_t body) const;
+  void sort_wall_slots();
   void take_out_escaped(const StepNotice& notice);
   void take_out_crossed();
   void remove(std::vector<std::uint32_t>& indices);
@@ -78,10 +92,12 @@ class Simulation {
   NearPairs pairs_;
   NearWalls walls_;
   ContactEvaluator evaluator_;
-  std::vector<Vec3> reference_;       ///< positions at the last rebuild
-  std::vector<Vec3> body_reference_;  ///< displacements at the last rebuild
-  std::vector<double> margin_;        ///< m per parcel
-  std::vector<double> body_margin_;   ///< m per body
+  std::vector<Vec3> reference_;                    ///< positions at the last rebuild
+  std::vector<Rigid> body_reference_;              ///< placements at the last rebuild
+  std::vector<std::array<Vec3, 8>> body_corners_;  ///< of a box around what parcels can touch, its own frame
+  std::vector<std::uint32_t> wall_slots_by_id_;
+  std::vector<double> margin_;       ///< m per parcel
+  std::vector<double> body_margin_;  ///< m per body
   std::vector<Crossing> crossings_;
   std::uint64_t rebuilds_ = 0;
 };

@@ -15,7 +15,7 @@ namespace pulvis {
 namespace {
 
 constexpr std::uint64_t magic = 0x31455441'54534c50;  // "PLSTATE1" read as little-endian text
-constexpr std::uint32_t version = 1;
+constexpr std::uint32_t version = 2;
 
 class Writer {
  public:
@@ -87,7 +87,7 @@ void visit(Archive& archive, S& s) {
     archive(list->history);
   }
   archive(s.motions);
-  archive(s.body_offset);
+  archive(s.body_absent);
   archive(s.sources);
   archive(s.next_id);
   archive(s.ledger);

@@ -7,6 +7,7 @@
 
 #include "engine/contacts/touching.hpp"
 #include "engine/insertion/source.hpp"
+#include "engine/math/rigid.hpp"
 #include "engine/parcels/parcels.hpp"
 
 namespace pulvis {
@@ -28,6 +29,7 @@ struct Escape {
 struct MotionState {
   bool running = false;
   std::uint64_t start = 0;  ///< step at which it began
+  Rigid left;               ///< what it left behind when it stopped before
 };
 
 /// Where the procedure is: which phase, since when.
@@ -43,7 +45,7 @@ struct State {
   Parcels parcels;
   TouchingList pairs, walls;
   std::vector<MotionState> motions;
-  std::vector<Vec3> body_offset;  ///< m: displacement left behind by finished motions
+  std::vector<std::uint8_t> body_absent;  ///< 1: not there now
   std::vector<SourceState> sources;
   std::uint32_t next_id = 0;
   Ledger ledger;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-#include "engine/math/vec3.hpp"
+#include "engine/math/rigid.hpp"
 
 namespace pulvis {
 
@@ -19,5 +19,10 @@ struct SineMotion {
   /// Largest speed it reaches, 2 pi f A, m/s.
   double peak_speed() const { return 2.0 * pi * frequency * amplitude; }
 };
+
+using Motion = SineMotion;
+inline Rigid displacement(const Motion& m, double t) { return Rigid::translation(m.displacement(t)); }
+inline double peak_speed(const Motion& m, double) { return m.peak_speed(); }
+inline Vec3 axis_point(const Motion&) { return {}; }
 
 }  // namespace pulvis

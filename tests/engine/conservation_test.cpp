@@ -41,7 +41,7 @@ TEST(Momentum, OfParcelsInAPeriodicBoxIsConserved) {
   for (const char* normal : {"hertz", "jkr"}) {
     Model m = one_material(rough_and_sticky(), with_normal(normal), {0, 0, 0}, {0.009, 0.009, 0.009}, 1e-5,
                            0.3e-3, 0.6e-3);
-    m.gravity = {};
+    m.body_force.gravity = {};
     m.domain.periodic[0] = m.domain.periodic[1] = m.domain.periodic[2] = true;
     std::vector<Parcel> parcels;
     for (std::uint32_t k = 0; k < 200; ++k) {
@@ -71,7 +71,7 @@ TEST(AngularMomentum, OfParcelsInOpenSpaceIsConserved) {
   for (const char* normal : {"hertz", "jkr"}) {
     Model m = one_material(rough_and_sticky(), with_normal(normal), {-0.1, -0.1, -0.1}, {0.1, 0.1, 0.1}, 1e-5,
                            0.3e-3, 0.6e-3);
-    m.gravity = {};
+    m.body_force.gravity = {};
     std::vector<Parcel> parcels;
     for (std::uint32_t k = 0; k < 200; ++k) {
       pulvis::testing::Draw draw(k, 42);

@@ -274,7 +274,7 @@ TEST(Rain, EndsAtItsTargetAndFallsIntoItsRegionOnly) {
     else
       m.target_count = 150;
     Model model = scenes::one_material({}, {}, {0, 0, -0.2}, {0.03, 0.03, 0.07}, 2e-5, 0.25e-3, 1e-3);
-    model.gravity = {};
+    model.body_force.gravity = {};
     model.sources = {m};
     Simulation s(model, Simulation::initial_state(model), 1);
     s.open_source(0);

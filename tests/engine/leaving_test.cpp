@@ -18,7 +18,7 @@ Model soft_box(double dt = 1e-5) {
   Stuff stuff;
   stuff.young_modulus = 1e5;
   Model m = one_material(stuff, {}, {0, 0, 0}, {0.1, 0.1, 0.1}, dt, 1e-3, 2e-3);
-  m.gravity = {};
+  m.body_force.gravity = {};
   return m;
 }
 
@@ -112,7 +112,7 @@ TEST(EscapeThroughAWall, IsNotClaimedForParcelsThatAreOutsideFromTheStart) {
 TEST(EscapeThroughAWall, LeavesTheForcesOnOtherWallsAsTheyWere) {
   // A bed rests on the floor while one parcel is shot through a plate above it.
   Model m = soft_box(2e-5);
-  m.gravity = {0, 0, -9.81};
+  m.body_force.gravity = {0, 0, -9.81};
   add_wall(m, plane_surface("floor", {0, 0, 0.01}, {0, 0, 1}));
   Region plate;
   plate.min = {0.06, 0.06, 0.06};
@@ -136,8 +136,8 @@ TEST(EscapeThroughAWall, LeavesTheForcesOnOtherWallsAsTheyWere) {
 
 TEST(Ledger, BalancesWhileARainFallsThroughAHole) {
   Model m = sticky_model();
-  m.surfaces.clear();
-  m.bodies.clear();
+  m.walls.surfaces.clear();
+  m.walls.bodies.clear();
   m.motions.clear();
   Simulation s(m, state_of(m, sticky_parcels()), 2);
   s.open_source(0);

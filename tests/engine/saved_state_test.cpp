@@ -57,7 +57,7 @@ TEST(SavedState, ComesBackWhole) {
   ASSERT_EQ(b.motions.size(), 1u);
   EXPECT_TRUE(b.motions[0].running);
   EXPECT_EQ(b.motions[0].start, a.motions[0].start);
-  expect_same_bytes(a.body_offset, b.body_offset);
+  expect_same_bytes(a.body_absent, b.body_absent);
   ASSERT_EQ(b.sources.size(), 1u);
   EXPECT_EQ(b.sources[0].open, a.sources[0].open);
   EXPECT_EQ(b.sources[0].done, a.sources[0].done);

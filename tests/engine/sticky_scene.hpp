@@ -21,13 +21,13 @@ inline Model sticky_model(double skin = 1.0) {
   parts.normal = "jkr";
   Model m = one_material(stuff, parts, {0, 0, -0.002}, {0.008, 0.008, 0.04}, 2e-5, 0.3e-3, 0.5e-3);
   m.domain.periodic[1] = true;
-  m.bodies = {{"box", 0, {}}, {"floor", 0, 0}};
+  m.walls.bodies = {{"box", {}}, {"floor", {0}}};
   Region box;
   box.min = {0, -1, -0.01};
   box.max = {0.008, 1, 0.05};
-  m.surfaces = box_surfaces("box", box, {"-y", "+y", "-z", "+z"});
-  m.surfaces.push_back(plane_surface("floor", {0, 0, 0}, {0, 0, 1}));
-  m.surfaces.back().body = 1;
+  m.walls.surfaces = box_surfaces("box", box, {"-y", "+y", "-z", "+z"});
+  m.walls.surfaces.push_back(plane_surface("floor", {0, 0, 0}, {0, 0, 1}));
+  m.walls.surfaces.back().body = 1;
   m.motions = {{2e-4, 50.0, -0.25, {0, 0, 1}}};
   SourceModel rain;
   rain.name = "rain";

@@ -90,15 +90,15 @@ TEST(NearestPoint, OfADisc) {
     s.kind = Surface::Kind::disc;
     s.centre = draw.vector(1.0);
     s.normal = f.w;
-    s.half[0] = draw.between(0.1, 2.0);
+    s.radius = draw.between(0.1, 2.0);
     const Vec3 p = s.centre + draw.vector(3.0);
     // A square of twice the radius, its corners pulled in to the rim.
     expect_nearest(s, p, [&](double a, double b) {
       const Vec3 in_square = (2 * a - 1) * f.u + (2 * b - 1) * f.v;
-      return s.centre + (s.half[0] / std::max(1.0, norm(in_square))) * in_square;
+      return s.centre + (s.radius / std::max(1.0, norm(in_square))) * in_square;
     });
     const Vec3 d = p - s.centre;
-    EXPECT_EQ(nearest_point(s, p).in_face, norm(d - dot(d, f.w) * f.w) <= s.half[0]);
+    EXPECT_EQ(nearest_point(s, p).in_face, norm(d - dot(d, f.w) * f.w) <= s.radius);
     EXPECT_NEAR(nearest_point(s, p).elevation, dot(d, f.w), 1e-14);
   }
 }
@@ -108,21 +108,21 @@ TEST(NearestPoint, OfATube) {
     Draw draw(k, 63);
     const Frame f(draw);
     Surface s;
-    s.kind = Surface::Kind::tube;
+    s.kind = Surface::Kind::frustum;
     s.centre = draw.vector(1.0);
     s.normal = f.w;
-    s.half[0] = draw.between(0.2, 2.0);
-    s.half[1] = draw.between(0.2, 3.0);
+    s.radius = s.other_radius = draw.between(0.2, 2.0);
+    s.height = draw.between(0.2, 3.0);
     const Vec3 p = s.centre + draw.vector(4.0);
     // The seam of the angle lies opposite to the point.
     const double seam = std::atan2(dot(p - s.centre, f.v), dot(p - s.centre, f.u)) + 0.5 * two_pi;
     expect_nearest(s, p, [&](double a, double b) {
-      return s.centre + (a * s.half[1]) * f.w +
-             s.half[0] * (std::cos(seam + two_pi * b) * f.u + std::sin(seam + two_pi * b) * f.v);
+      return s.centre + (a * s.height) * f.w +
+             s.radius * (std::cos(seam + two_pi * b) * f.u + std::sin(seam + two_pi * b) * f.v);
     });
     const double along = dot(p - s.centre, f.w), across = norm(p - s.centre - along * f.w);
-    EXPECT_EQ(nearest_point(s, p).in_face, along >= 0.0 && along <= s.half[1]);
-    EXPECT_NEAR(nearest_point(s, p).elevation, across - s.half[0], 1e-14);
+    EXPECT_EQ(nearest_point(s, p).in_face, along >= 0.0 && along <= s.height);
+    EXPECT_NEAR(nearest_point(s, p).elevation, across - s.radius, 1e-14);
   }
 }
 
@@ -141,11 +141,11 @@ TEST(NearestPoint, OfAPlane) {
 
 TEST(NearestPoint, OnATubesAxisIsOneOfItsPoints) {
   Surface s;
-  s.kind = Surface::Kind::tube;
+  s.kind = Surface::Kind::frustum;
   for (const Vec3& axis : {Vec3{0, 0, 1}, Vec3{1, 0, 0}, Vec3{0, 1, 0}}) {
     s.normal = axis;
-    s.half[0] = 2.0;
-    s.half[1] = 4.0;
+    s.radius = s.other_radius = 2.0;
+    s.height = 4.0;
     EXPECT_NEAR(norm(nearest_point(s, 1.5 * axis).point - 1.5 * axis), 2.0, 1e-15);
   }
 }

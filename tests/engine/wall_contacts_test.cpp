@@ -29,7 +29,7 @@ Model with_surfaces(const std::vector<Surface>& surfaces, const char* normal = "
   LawParts parts;
   parts.normal = normal;
   Model m = one_material(stuff, parts, {-0.1, -0.1, -0.1}, {0.1, 0.1, 0.1}, 1e-6, radius, radius);
-  m.gravity = {};
+  m.body_force.gravity = {};
   for (const Surface& s : surfaces) add_wall(m, s);
   return m;
 }
@@ -103,9 +103,9 @@ TEST(SphereInACylinder, HasTwoContactsInTheCornerAndOneOnTheRim) {
 
 TEST(SphereAtTwoBodies, TouchesBoth) {
   Model m = with_surfaces({plane_surface("floor", {0, 0, 0}, {0, 0, 1})});
-  m.bodies.push_back({"plate", 0, {}});
-  m.surfaces.push_back(plane_surface("plate", {0, 0, 0}, {0, 0, 1}));
-  m.surfaces.back().body = 1;
+  m.walls.bodies.push_back({"plate", {}});
+  m.walls.surfaces.push_back(plane_surface("plate", {0, 0, 0}, {0, 0, 1}));
+  m.walls.surfaces.back().body = 1;
   Simulation s(m, state_of(m, {heavy({0, 0, 0.999 * radius})}), 1);
   s.step();
   EXPECT_EQ(touching(s.walls()), 2u);

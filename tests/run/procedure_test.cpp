@@ -45,7 +45,7 @@ class Journey {
       if (value.name == "kinetic_energy_translational") e.kinetic_energy = *value.value;
       if (value.name == "fill_mass") e.fill = *value.value;
     }
-    e.displacement = simulation_.body_displacement(0).z;
+    e.displacement = simulation_.pose(0).now.shift.z;
     e.parcels = simulation_.state().parcels.size();
     procedure_.next_phase();
     return e;
@@ -134,7 +134,7 @@ TEST(Phase, EndsAfterItsCyclesAndTheWallStaysWhereItStopped) {
   while (!j.procedure().finished()) {
     const bool resting = j.procedure().phase().name == "rest";
     if (const auto e = j.step()) ended.push_back(*e);
-    const double now = j.simulation().body_displacement(0).z;
+    const double now = j.simulation().pose(0).now.shift.z;
     fastest = std::max(fastest, std::abs(now - before));
     if (resting) {
       EXPECT_EQ(now, before) << "at rest it does not move a bit";

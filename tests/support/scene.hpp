@@ -48,7 +48,7 @@ inline Model one_pair(const laws::MaterialPair& pair, const LawParts& parts, con
   Model m;
   m.domain.min = low;
   m.domain.max = high;
-  m.gravity = {0, 0, -9.81};
+  m.body_force.gravity = {0, 0, -9.81};
   m.dt = dt;
   m.classes = ContactClasses(1);
   m.classes.set(0, 0, contact_class(pair, parts));
@@ -65,9 +65,9 @@ inline Model one_material(const Stuff& stuff, const LawParts& parts, const Vec3&
 }
 
 inline void add_wall(Model& m, Surface surface) {
-  if (m.bodies.empty()) m.bodies.push_back({"wall", 0, {}});
+  if (m.walls.bodies.empty()) m.walls.bodies.push_back({"wall", {}});
   surface.body = 0;
-  m.surfaces.push_back(surface);
+  m.walls.surfaces.push_back(surface);
 }
 
 inline Parcel parcel(std::uint32_t id, const Vec3& position, double radius, double density,
@@ -87,7 +87,7 @@ inline State state_of(const Model& m, const std::vector<Parcel>& parcels) {
   State s = Simulation::initial_state(m);
   s.parcels.body = parcels;
   for (const Parcel& p : parcels) {
-    s.parcels.load.push_back({p.mass * m.gravity, {}});
+    s.parcels.load.push_back({p.mass * m.body_force.gravity, {}});
     s.ledger.inserted++;
     s.ledger.inserted_mass += p.mass;
     s.next_id = p.id >= s.next_id ? p.id + 1 : s.next_id;

@@ -44,7 +44,7 @@ inline Outcome collide(const Collision& c, std::uint64_t most_steps = 200000) {
   const double drift = c.dt * static_cast<double>(most_steps) * std::fabs(c.tangential);
   Model m =
       one_pair(c.material, c.parts, {-far, -far, -far}, {far + drift, far, far}, c.dt, c.radius, c.radius);
-  m.gravity = {};
+  m.body_force.gravity = {};
   std::vector<Parcel> parcels;
   if (c.at_wall) {
     add_wall(m, plane_surface("wall", {0, 0, 0}, {0, 0, 1}));

@@ -23,10 +23,10 @@ struct Incline {
   Simulation start() const {
     Stuff stuff{1056.0, 40e6, 0.49, 0.9, friction, rolling_friction, 0.0};
     Model m = one_material(stuff, {}, {-1, -1, -0.1}, {3, 1, 0.1}, 1e-5, radius, radius);
-    m.gravity = {gravity * std::sin(angle * degree), 0, -gravity * std::cos(angle * degree)};
+    m.body_force.gravity = {gravity * std::sin(angle * degree), 0, -gravity * std::cos(angle * degree)};
     add_wall(m, plane_surface("plane", {0, 0, 0}, {0, 0, 1}));
     // It lies as deep as its weight presses it, and the load it starts with is balanced across the plane.
-    const double weight = stuff.density * sphere_volume(radius) * -m.gravity.z;
+    const double weight = stuff.density * sphere_volume(radius) * -m.body_force.gravity.z;
     const double rest =
         laws::hertz_overlap_under(weight, radius, material_pair(stuff, stuff).effective_modulus);
     State state = state_of(m, {parcel(0, {0, 0, radius - rest}, radius, stuff.density, velocity)});

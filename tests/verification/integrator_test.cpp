@@ -149,7 +149,7 @@ TEST(HertzGas, KeepsItsEnergyInAPeriodicBox) {
   const double mass = 0.5 * parcels[0].mass, modulus = material.effective_modulus;
   const double dt = laws::hertz_contact_time(mass, 0.5 * r, modulus, std::sqrt(2.0 * speed_squared)) / 100.0;
   Model m = one_pair(material, parts, {0, 0, 0}, {edge, edge, edge}, dt, r, r);
-  m.gravity = {};
+  m.body_force.gravity = {};
   for (bool& axis : m.domain.periodic) axis = true;
   Simulation s(m, state_of(m, parcels), 1);
   const auto energy = [&] {

@@ -114,7 +114,7 @@ TEST(PullOff, OfASphereLiftedSlowlyOffAWallTakesThreeHalvesPiWTimesR) {
                pull_off = laws::jkr_pull_off(radius, 0.05);
   Model m = one_material(stuff, {"jkr", "none", "total_spring", "elastic_plastic", {}}, {-0.1, -0.1, -0.1},
                          {0.1, 0.1, 0.1}, 1e-5, radius, radius);
-  m.gravity = {};
+  m.body_force.gravity = {};
   add_wall(m, plane_surface("wall", {0, 0, 0}, {0, 0, 1}));
   // Too heavy for the force to change its speed: the position is prescribed.
   const double speed = stretch / 2000.0 / m.dt;
