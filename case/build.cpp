@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "case/build_walls.hpp"
 #include "case/rules.hpp"
 
 namespace pulvis::case_file {
@@ -35,16 +36,13 @@ constexpr std::array<std::pair<const char*, SizeDistribution::Kind>, 5> size_kin
      {"table", SizeDistribution::Kind::table}}};
 constexpr std::array<std::pair<const char*, Powder::Keep>, 2> keeps{
     {{"pull_off", Powder::Keep::pull_off}, {"sticking_speed", Powder::Keep::sticking_speed}}};
-constexpr std::array<std::pair<const char*, Region::Shape>, 2> region_shapes{
-    {{"box", Region::Shape::box}, {"cylinder", Region::Shape::cylinder}}};
-constexpr std::array<std::pair<const char*, Wall::Shape>, 3> wall_shapes{
-    {{"plane", Wall::Shape::plane}, {"box", Wall::Shape::box}, {"cylinder", Wall::Shape::cylinder}}};
 constexpr std::array<std::pair<const char*, Source::Kind>, 3> source_kinds{
     {{"pack", Source::Kind::pack}, {"rain", Source::Kind::rain}, {"file", Source::Kind::file}}};
-constexpr std::array<std::pair<const char*, Phase::Until>, 5> criteria{{{"time", Phase::Until::time},
+constexpr std::array<std::pair<const char*, Phase::Until>, 6> criteria{{{"time", Phase::Until::time},
                                                                         {"inserted", Phase::Until::inserted},
                                                                         {"mass", Phase::Until::mass},
                                                                         {"cycles", Phase::Until::cycles},
+                                                                        {"motions", Phase::Until::motions},
                                                                         {"rest", Phase::Until::rest}}};
 
 // The value of a key that counts only under a condition, 0 where that does not hold.
@@ -63,15 +61,16 @@ class Builder {
     Case result;
     result.title = root_.text("title");
     result.seed = static_cast<std::uint64_t>(root_.integer("seed"));
-    result.gravity = root_.table("gravity").vector("acceleration");
+    result.body_force = body_force(root_.table("gravity"), root_.table("rotating_frame"));
     result.domain = domain(root_.table("domain"));
     result.mixing = chosen(mixing_rules, root_.table("mixing").text("rule"));
     for (const Section& section : root_.group("materials")) result.materials.push_back(material(section));
     for (const Section& section : root_.group("pairs")) result.pairs.push_back(pair(section));
     for (const Section& section : root_.group("powders")) result.powders.push_back(powder(section));
     result.contact = contact(root_.table("contact"));
-    for (const Section& section : root_.group("walls")) result.walls.push_back(wall(section));
-    for (const Section& section : root_.group("motions")) result.motions.push_back(motion(section));
+    const std::string folder = std::filesystem::absolute(name).parent_path().string();
+    for (const Section& section : root_.group("walls")) result.walls.push_back(wall(section, folder));
+    for (const Section& section : root_.group("motions")) result.motions.push_back(build_motion(section));
     for (const Section& section : root_.group("sources")) result.sources.push_back(source(section, name));
     for (const Section& section : root_.group("phases")) result.phases.push_back(phase(section));
     result.time = time(root_.table("time"));
@@ -165,49 +164,31 @@ class Builder {
             section.text("rolling"), section.text("friction_limit"), section.text("damping_radius")};
   }
 
-  // Of a region table or of a wall, which holds the same keys.
-  static Region region(const Section& section) {
-    Region result;
-    result.shape = chosen(region_shapes, section.text("shape"));
-    if (result.shape == Region::Shape::box) {
-      result.min = section.vector("min");
-      result.max = section.vector("max");
-    } else {
-      result.base = section.vector("base");
-      result.axis = section.unit_vector("axis");
-      result.radius = section.number("radius");
-      result.height = section.number("height");
-    }
-    return result;
-  }
-
-  Wall wall(const Section& section) const {
-    Wall result;
-    result.name = section.name;
-    result.shape = chosen(wall_shapes, section.text("shape"));
+  Wall wall(const Section& section, const std::string& folder) const {
+    Wall result = build_wall(section, folder);
     result.material = index("materials", section.text("material"));
-    result.motion = optional_index("motions", section, "motion");
-    if (result.shape == Wall::Shape::plane) {
-      result.point = section.vector("point");
-      result.normal = section.unit_vector("normal");
-    } else {
-      result.region = region(section);
-      result.open = section.texts("open");
-    }
+    if (const Setting* motions = section.find("motion")) result.motions = indices("motions", motions->texts);
     return result;
   }
 
-  static Motion motion(const Section& section) {
-    constexpr double two_pi = 6.283185307179586476925;
-    Motion result;
-    result.name = section.name;
-    result.kind = section.text("kind");
-    result.frequency = section.number("frequency");
-    result.phase = section.number("phase");
-    result.direction = section.unit_vector("direction");
-    const double angular = two_pi * result.frequency;
-    const auto acceleration = section.optional_number("peak_acceleration");
-    result.amplitude = acceleration ? *acceleration / (angular * angular) : section.number("amplitude");
+  static BodyForce body_force(const Section& gravity, const Section& frame) {
+    BodyForce result;
+    result.gravity = gravity.vector("acceleration");
+    if (const Setting* times = gravity.find("times")) {
+      result.times = times->numbers;
+      const Setting* factors = gravity.find("factors");
+      for (std::size_t k = 0; k < result.times.size(); ++k) {
+        Vec3 at = factors != nullptr ? factors->numbers[k] * result.gravity : result.gravity;
+        for (int axis = 0; axis < 3; ++axis)
+          if (const Setting* list = gravity.find(std::string(1, "xyz"[axis]))) at[axis] = list->numbers[k];
+        result.table.push_back(at);
+      }
+    }
+    if (!frame.given) return result;
+    result.rotation = frame.number("rate");
+    result.ramp = frame.number("ramp");
+    result.axis = frame.unit_vector("axis");
+    result.point = frame.vector("point");
     return result;
   }
 
@@ -222,7 +203,7 @@ class Builder {
       result.path = (folder / section.text("path")).lexically_normal().string();
       return result;
     }
-    result.region = region(section.table("region"));
+    result.region = build_region(section.table("region"));
     result.velocity = section.vector("velocity");
     result.target.mass = section.optional_number("mass");
     if (section.find("count") != nullptr)
@@ -236,6 +217,7 @@ class Builder {
     result.name = section.text("name");
     result.sources = indices("sources", section.texts("sources"));
     result.motions = indices("motions", section.texts("motions"));
+    result.without = indices("walls", section.texts("without"));
     result.until = chosen(criteria, section.text("until"));
     result.duration = number_or_zero(section, "duration");
     result.mass = number_or_zero(section, "mass");
@@ -259,7 +241,7 @@ class Builder {
   MeasureChoice measures(const Section& section) const {
     MeasureChoice result;
     result.die = optional_index("walls", section, "die");
-    if (section.table("region").given) result.region = region(section.table("region"));
+    if (section.table("region").given) result.region = build_region(section.table("region"));
     const std::vector<std::size_t> inside = walls_with_inside(root_);
     if (!result.die && !result.region && inside.size() == 1) result.die = inside.front();
     result.cell_diameters = section.number("cell_diameters");

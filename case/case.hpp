@@ -6,8 +6,10 @@
 #include <utility>
 #include <vector>
 
+#include "engine/dynamics/body_force.hpp"
 #include "engine/math/region.hpp"
 #include "engine/math/vec3.hpp"
+#include "engine/walls/motions/motion.hpp"
 
 // What a case file says, in SI units and checked: every number is in its range, every name refers to
 // something that exists. `read_case` (reader.hpp) makes it; nothing below this line knows of TOML.
@@ -70,27 +72,34 @@ struct ContactChoice {
   std::string damping_radius = "hertz";    ///< hertz | jkr_radius
 };
 
-/// A wall: a plane, a box with some faces open, or a cylinder with some ends open.
+/// A wall. Which of the fields count depends on its shape.
 struct Wall {
-  enum class Shape { plane, box, cylinder };
+  enum class Shape { plane, rectangle, disc, box, cylinder, cone, sphere, mesh };
   std::string name;
   Shape shape = Shape::plane;
-  std::size_t material = 0;           ///< index into Case::materials
-  Vec3 point, normal{0, 0, 1};        ///< m, unit vector; plane
-  Region region;                      ///< box or cylinder
-  std::vector<std::string> open;      ///< box: any of -x +x -y +y -z +z; cylinder: any of base, top
-  std::optional<std::size_t> motion;  ///< index into Case::motions; none: at rest
+  std::size_t material = 0;          ///< index into Case::materials
+  std::string body;                  ///< name of the rigid body it is part of; its own name if alone
+  std::vector<std::size_t> motions;  ///< indices into Case::motions; none: at rest
+  Vec3 point;                        ///< m; of the plane; corner, centre or base of others
+  Vec3 normal{0, 0, 1};              ///< unit vector; plane, disc; of the cone, its axis
+  Vec3 along, across;                ///< m; edges of the rectangle
+  double radius = 0.0;               ///< m; disc, sphere, base of the cone
+  double other_radius = 0.0;         ///< m; hole of the disc, top of the cone
+  double height = 0.0;               ///< m; cone
+  Region region;                     ///< box or cylinder
+  std::vector<std::string> open;     ///< box: any of -x +x -y +y -z +z; cylinder, cone: any of base, top
+  std::string path;                  ///< mesh: its STL file, made absolute
+  double unit = 1.0;                 ///< mesh: m
+  Vec3 offset;                       ///< mesh: m
+  double feature_angle = 0.0;        ///< mesh: rad
+
+  bool has_inside() const { return shape == Shape::box || shape == Shape::cylinder; }
 };
 
-/// A motion a wall can make: displacement amplitude*(sin(2 pi f t + phase) - sin(phase)) along `direction`,
-/// t counted from the start of each phase that runs it.
+/// A motion that walls can make; its time counts from the start of each phase that runs it.
 struct Motion {
   std::string name;
-  std::string kind = "sine";
-  double amplitude = 0.0;   ///< m (derived, if the case gives the peak acceleration)
-  double frequency = 0.0;   ///< Hz
-  double phase = 0.0;       ///< cycles
-  Vec3 direction{0, 0, 1};  ///< unit vector
+  motions::Motion motion;
 };
 
 /// How much a source gives: a count or a mass, exactly one of them.
@@ -114,10 +123,11 @@ struct Source {
 
 /// One phase of the procedure.
 struct Phase {
-  enum class Until { time, inserted, mass, cycles, rest };
+  enum class Until { time, inserted, mass, cycles, motions, rest };
   std::string name;
   std::vector<std::size_t> sources;  ///< indices into Case::sources that are open in this phase
   std::vector<std::size_t> motions;  ///< indices into Case::motions that run in this phase
+  std::vector<std::size_t> without;  ///< indices into Case::walls that are not there in this phase
   Until until = Until::time;
   double duration = 0.0;                 ///< s; until = time
   double mass = 0.0;                     ///< kg in the measured region; until = mass
@@ -161,7 +171,7 @@ struct Case {
   /// Where each table and key that was given is written: {"walls.die", "die.toml:14"} or {"time.step",
   /// "--set time.step"}; see place_of in reader.hpp.
   std::vector<std::pair<std::string, std::string>> origins;
-  Vec3 gravity{0, 0, -9.81};  ///< m/s^2
+  BodyForce body_force;
   Domain domain;
   Mixing mixing = Mixing::geometric_mean;
   std::vector<Material> materials;

@@ -21,7 +21,11 @@ void append_matter(Keys& keys);
 /// Walls, motions, sources, phases.
 void append_process(Keys& keys);
 
-/// A box or a cylinder, wherever one is described: as a region or as the inside of a wall.
+/// Of these, the walls; and how they move.
+void append_walls(Keys& keys);
+void append_motions(Keys& keys);
+
+/// A box or a cylinder, wherever a region is described.
 void append_shape(Keys& keys, const std::string& table);
 
 /// Time step, measures, output.

@@ -88,7 +88,8 @@ Json value_schema(const Key& key) {
     case KeyKind::name:
       return {{"type", "string"}};
     case KeyKind::names:
-      return list_of({{"type", "string"}}, key.length);
+      if (key.length != 0) return list_of({{"type", "string"}}, key.length);
+      return {{"anyOf", {{{"type", "string"}}, list_of({{"type", "string"}}, 0)}}};
     case KeyKind::quantities:
       return list_of(quantity_schema(), key.length);
     case KeyKind::numbers:

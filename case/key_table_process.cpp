@@ -8,102 +8,6 @@ namespace {
 using enum KeyKind;
 using enum Presence;
 
-void append_walls(Keys& keys) {
-  const Condition plane{"shape", {"plane"}};
-  append(keys, {
-                   {.pattern = "walls", .kind = named_tables, .help = "what holds the powder"},
-                   {.pattern = "walls.*.shape",
-                    .kind = choice,
-                    .example = R"("box")",
-                    .presence = required,
-                    .choices = {"plane", "box", "cylinder"},
-                    .help = "shape of the wall; powder is inside a box or cylinder"},
-                   {.pattern = "walls.*.material",
-                    .kind = name,
-                    .example = R"("steel")",
-                    .presence = required,
-                    .refers_to = "materials",
-                    .help = "what the wall is made of"},
-                   {.pattern = "walls.*.motion",
-                    .kind = name,
-                    .example = R"("shaking")",
-                    .when_unset = "the wall is at rest",
-                    .refers_to = "motions",
-                    .help = "how the wall moves in the phases that run this motion"},
-                   {.pattern = "walls.*.open",
-                    .kind = choices,
-                    .example = R"(["+z"])",
-                    .standard = "[]",
-                    .choices = {"-x", "+x", "-y", "+y", "-z", "+z", "base", "top"},
-                    .only_when = {"shape", {"box", "cylinder"}},
-                    .help = "sides that are not there: of a box -x to +z, of a cylinder base and top"},
-                   {.pattern = "walls.*.point",
-                    .kind = vector,
-                    .dimension = dimension::length,
-                    .example = R"(["0 mm", "0 mm", "0 mm"])",
-                    .presence = required,
-                    .only_when = plane,
-                    .help = "a point of the plane"},
-                   {.pattern = "walls.*.normal",
-                    .kind = direction,
-                    .example = "[0, 0, 1]",
-                    .standard = "[0, 0, 1]",
-                    .only_when = plane,
-                    .help = "at right angles to the plane; a plane acts on both sides"},
-               });
-  append_shape(keys, "walls.*");
-
-  const Condition sine{"kind", {"sine"}};
-  append(keys, {
-                   {.pattern = "motions", .kind = named_tables, .help = "movements that walls can make"},
-                   {.pattern = "motions.*.kind",
-                    .kind = choice,
-                    .example = R"("sine")",
-                    .presence = required,
-                    .choices = {"sine"},
-                    .help = "kind of movement"},
-                   {.pattern = "motions.*.frequency",
-                    .kind = quantity,
-                    .dimension = dimension::frequency,
-                    .example = R"("10 Hz")",
-                    .presence = required,
-                    .range = positive,
-                    .only_when = sine,
-                    .help = "cycles per second"},
-                   {.pattern = "motions.*.amplitude",
-                    .kind = quantity,
-                    .dimension = dimension::length,
-                    .example = R"("0.5 mm")",
-                    .presence = one_of,
-                    .range = positive,
-                    .partner = "peak_acceleration",
-                    .only_when = sine,
-                    .help = "largest distance from the middle position"},
-                   {.pattern = "motions.*.peak_acceleration",
-                    .kind = quantity,
-                    .dimension = dimension::acceleration,
-                    .example = R"("15 m/s^2")",
-                    .presence = one_of,
-                    .range = positive,
-                    .partner = "amplitude",
-                    .only_when = sine,
-                    .help = "largest acceleration a; the amplitude is a / (2 pi f)^2"},
-                   {.pattern = "motions.*.direction",
-                    .kind = direction,
-                    .example = "[0, 0, 1]",
-                    .standard = "[0, 0, 1]",
-                    .only_when = sine,
-                    .help = "direction of the movement"},
-                   {.pattern = "motions.*.phase",
-                    .kind = quantity,
-                    .dimension = dimension::angle,
-                    .example = R"("90 deg")",
-                    .standard = R"("0 deg")",
-                    .only_when = sine,
-                    .help = "where in its cycle the movement starts"},
-               });
-}
-
 void append_sources(Keys& keys) {
   const Condition made{"kind", {"pack", "rain"}}, rain{"kind", {"rain"}};
   append(
@@ -203,13 +107,19 @@ void append_phases(Keys& keys) {
                     .standard = "[]",
                     .refers_to = "motions",
                     .help = "motions that run in this phase, from their start"},
+                   {.pattern = "phases[].without",
+                    .kind = names,
+                    .example = R"(["gate"])",
+                    .standard = "[]",
+                    .refers_to = "walls",
+                    .help = "walls that are not there in this phase, with all that belongs to their bodies"},
                    {.pattern = "phases[].until",
                     .kind = choice,
                     .example = R"("rest")",
                     .presence = required,
-                    .choices = {"time", "inserted", "mass", "cycles", "rest"},
+                    .choices = {"time", "inserted", "mass", "cycles", "motions", "rest"},
                     .help = "what ends the phase: a duration, all sources having given all, a mass in the "
-                            "die, cycles of its first motion, or rest"},
+                            "die, cycles of its first motion, the end of all its motions, or rest"},
                    {.pattern = "phases[].duration",
                     .kind = quantity,
                     .dimension = dimension::time,
@@ -271,6 +181,7 @@ void append_phases(Keys& keys) {
 
 void append_process(Keys& keys) {
   append_walls(keys);
+  append_motions(keys);
   append_sources(keys);
   append_phases(keys);
 }

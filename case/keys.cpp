@@ -83,7 +83,8 @@ std::string describe_kind(const Key& key) {
     case KeyKind::name:
       return fmt::format("a name out of [{}]", key.refers_to);
     case KeyKind::names:
-      return fmt::format("a list of {}names out of [{}]", count, key.refers_to);
+      return fmt::format("a list of {}names out of [{}]{}", count, key.refers_to,
+                         key.length == 0 ? ", or one name" : "");
     case KeyKind::quantities:
       return fmt::format("a list; each {} with its unit", dimension_with_article(key.dimension));
     case KeyKind::numbers:

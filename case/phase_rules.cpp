@@ -29,6 +29,32 @@ void names_once(const Section& root, ProblemList& problems) {
   }
 }
 
+// Cycles and ends are asked of motions that have them.
+void motions_have_an_end(const Section& phase, const std::string& criterion, const Section& root,
+                         ProblemList& problems) {
+  const Setting* names = phase.find("motions");
+  if (names == nullptr || (criterion != "cycles" && criterion != "motions")) return;
+  for (std::size_t i = 0; i < names->texts.size(); ++i) {
+    const auto index = index_of(root.group("motions"), names->texts[i]);
+    if (!index) continue;
+    const Section& motion = root.group("motions")[*index];
+    const std::string* kind = motion.optional_text("kind");
+    if (kind == nullptr) continue;
+    const bool repeats = *kind == "sine" || *kind == "swing" || *kind == "sines" ||
+                         *kind == "modulated_square" || *kind == "rotation";
+    const bool ends = *kind == "stroke" || *kind == "path" || motion.find("end") != nullptr;
+    if (criterion == "cycles" && i == 0 && !repeats)
+      problems.add(names->item_places[i],
+                   fmt::format("{} waits for cycles, and a {} has none", phase.path, *kind),
+                   "expected until = \"time\" or \"motions\", or a motion that repeats");
+    if (criterion == "motions" && !ends)
+      problems.add(names->item_places[i],
+                   fmt::format("{} waits for the end of its motions, and \"{}\" has none", phase.path,
+                               names->texts[i]),
+                   "expected an end for this motion, or until = \"time\" or \"cycles\"");
+  }
+}
+
 void has_what_it_waits_for(const Section& phase, const Section& root, ProblemList& problems) {
   const Setting* until = phase.find("until");
   if (until == nullptr) return;
@@ -37,9 +63,10 @@ void has_what_it_waits_for(const Section& phase, const Section& root, ProblemLis
   if (criterion == "inserted" && sources != nullptr && sources->texts.empty())
     problems.add(until->place, phase.path + " waits for its sources and has none",
                  "expected e.g. sources = [\"rain\"]");
-  if (criterion == "cycles" && motions != nullptr && motions->texts.empty())
-    problems.add(until->place, phase.path + " waits for cycles and has no motion",
+  if ((criterion == "cycles" || criterion == "motions") && motions != nullptr && motions->texts.empty())
+    problems.add(until->place, fmt::format("{} waits for {} and has no motion", phase.path, criterion),
                  "expected e.g. motions = [\"shaking\"]");
+  motions_have_an_end(phase, criterion, root, problems);
   const Section& measures = root.table("measures");
   const bool measured =
       measures.settings.contains("die") || measures.table("region").given || !walls_with_inside(root).empty();
@@ -79,7 +106,8 @@ void motions_are_used(const Section& root, ProblemList& problems) {
   std::set<std::string> moving;
   for (const Section& wall : root.group("walls")) {
     if (wall.settings.contains("motion") && wall.find("motion") == nullptr) return;  // wrong; reported there
-    if (const std::string* motion = wall.optional_text("motion")) moving.insert(*motion);
+    if (const Setting* motion = wall.find("motion"))
+      moving.insert(motion->texts.begin(), motion->texts.end());
   }
   for (const Section& phase : root.group("phases")) {
     const Setting* motions = phase.find("motions");

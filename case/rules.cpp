@@ -87,6 +87,7 @@ void inside_domain(const Section& region, const Section& domain, ProblemList& pr
   }
 }
 
+// Of boxes and cylinders; other walls are looked at when they are built.
 std::optional<std::pair<double, double>> reach_of(const Section& shape, std::size_t axis) {
   if (is_shape(shape, "cylinder")) return reach_of_cylinder(shape, axis);
   const Setting *min = shape.find("min"), *max = shape.find("max");
@@ -181,12 +182,12 @@ void open_sides(const Section& wall, ProblemList& problems) {
   const std::string* shape = wall.optional_text("shape");
   if (open == nullptr || shape == nullptr || !open->given) return;
   for (std::size_t i = 0; i < open->texts.size(); ++i) {
-    const bool of_cylinder = open->texts[i] == "base" || open->texts[i] == "top";
-    if (of_cylinder == (*shape == "cylinder")) continue;
-    problems.add(open->item_places[i],
-                 fmt::format("{}: a {} has no side \"{}\"", open->path, *shape, open->texts[i]),
-                 *shape == "cylinder" ? "expected \"base\" or \"top\""
-                                      : "expected \"-x\", \"+x\", \"-y\", \"+y\", \"-z\" or \"+z\"");
+    const bool of_round = open->texts[i] == "base" || open->texts[i] == "top";
+    const bool round = *shape == "cylinder" || *shape == "cone";
+    if (of_round == round) continue;
+    problems.add(
+        open->item_places[i], fmt::format("{}: a {} has no side \"{}\"", open->path, *shape, open->texts[i]),
+        round ? "expected \"base\" or \"top\"" : "expected \"-x\", \"+x\", \"-y\", \"+y\", \"-z\" or \"+z\"");
   }
 }
 
@@ -197,10 +198,12 @@ void what_is_measured(const Section& root, ProblemList& problems) {
   const auto& walls = root.group("walls");
   if (const Setting* die = measures.find("die")) {
     const auto wall = index_of(walls, die->texts.front());
-    if (wall && is_shape(walls[*wall], "plane"))
-      problems.add(die->place,
-                   fmt::format("{}: \"{}\" is a plane and has no inside", die->path, die->texts.front()),
-                   "expected a wall whose shape is \"box\" or \"cylinder\"");
+    const std::string* shape = wall ? walls[*wall].optional_text("shape") : nullptr;
+    if (shape != nullptr && *shape != "box" && *shape != "cylinder")
+      problems.add(
+          die->place,
+          fmt::format("{}: \"{}\" is a {}, whose inside is not known", die->path, die->texts.front(), *shape),
+          "expected a wall whose shape is \"box\" or \"cylinder\", or a table [measures.region]");
     return;
   }
   const bool wrong = measures.settings.contains("die");  // given, and reported elsewhere
@@ -290,6 +293,7 @@ void check_rules(const Section& root, ProblemList& problems) {
     corners_in_order(wall, problems);
     open_sides(wall, problems);
   }
+  check_wall_rules(root, problems);
   for (const Section& source : root.group("sources")) {
     const Section& region = source.table("region");
     corners_in_order(region, problems);

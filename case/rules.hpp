@@ -12,6 +12,9 @@ void check_rules(const Section& root, ProblemList& problems);
 /// The part of it that concerns phases and the sources and motions they use.
 void check_phase_rules(const Section& root, ProblemList& problems);
 
+/// The part on walls, motions and gravity.
+void check_wall_rules(const Section& root, ProblemList& problems);
+
 /// Walls that have an inside: boxes and cylinders, as indices.
 std::vector<std::size_t> walls_with_inside(const Section& root);
 

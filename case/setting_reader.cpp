@@ -40,6 +40,12 @@ std::string quoted(const Value& value) {
 
 void SettingReader::read(const Value& value, Setting& setting) const {
   setting.written = written(value);
+  // A single name needs no brackets.
+  if (setting.key->kind == KeyKind::names && setting.key->length == 0 && value.kind == Value::Kind::text) {
+    setting.valid = element(value, setting);
+    setting.item_places.push_back(value.place);
+    return;
+  }
   setting.valid = is_list(setting.key->kind) ? list(value, setting) : element(value, setting);
 }
 

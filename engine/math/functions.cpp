@@ -57,12 +57,6 @@ constexpr auto inverse_factorial = [] {
   return table;
 }();
 
-/// Nearest whole number. Adding 2^52 pushes the fraction out of the mantissa; larger numbers are whole.
-double nearest_whole(double x) {
-  const double shift = x < 0.0 ? -0x1p52 : 0x1p52;
-  return magnitude(x) < 0x1p52 ? (x + shift) - shift : x;
-}
-
 /// x * 2^k for |k| < 2000, in two steps so that results may be subnormal or infinite.
 double scaled_by_power_of_two(double x, int k) {
   const auto power_of_two = [](int exponent) {

@@ -18,6 +18,12 @@ PULVIS_INLINE double greatest(double a, double b) { return a > b ? a : b; }
 PULVIS_INLINE double magnitude(double a) { return a < 0.0 ? -a : a; }
 PULVIS_INLINE double square(double a) { return a * a; }
 
+/// Nearest whole number. Adding 2^52 pushes the fraction out of the mantissa; larger numbers are whole.
+PULVIS_INLINE double nearest_whole(double x) {
+  const double shift = x < 0.0 ? -0x1p52 : 0x1p52;
+  return magnitude(x) < 0x1p52 ? (x + shift) - shift : x;
+}
+
 /// Square root; IEEE 754 rounds it correctly, so no library version can differ.
 PULVIS_INLINE double root(double a) { return __builtin_sqrt(a); }
 

@@ -8,7 +8,7 @@
 #include "engine/insertion/source.hpp"
 #include "engine/parcels/domain.hpp"
 #include "engine/walls/bodies.hpp"
-#include "engine/walls/motion.hpp"
+#include "engine/walls/motions/motion.hpp"
 
 namespace pulvis {
 
@@ -19,7 +19,7 @@ struct Model {
   double dt = 0.0;  ///< s
   ContactClasses classes;
   Walls walls;
-  std::vector<Motion> motions;
+  std::vector<motions::Motion> motions;
   std::vector<SourceModel> sources;
   std::uint64_t seed = 1;
   double smallest_radius = 0.0, largest_radius = 0.0;  ///< m, of all parcels that can appear

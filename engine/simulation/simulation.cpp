@@ -42,6 +42,7 @@ Simulation::Simulation(Model model, State state, int threads)
       poses_(model_.walls.bodies.size()),
       evaluator_(most_threads_, model_.classes.all().size()) {
   find_body_corners();
+  for (const motions::Motion& motion : model_.motions) motion_peaks_.push_back(motions::peaks(motion));
   for (std::size_t b = 0; b < poses_.size(); ++b) {
     const Rigid at = placement(b, state_.step);
     poses_[b] = Pose::of_step(at, at, model_.dt);
@@ -293,10 +294,11 @@ double Simulation::speed_bound(std::size_t body) const {
   double speed = 0.0;
   for (const std::size_t motion : model_.walls.bodies[body].motions) {
     if (!state_.motions[motion].running) continue;
+    const motions::Peaks& peaks = motion_peaks_[motion];
     double farthest = 0.0;
     for (const Vec3& corner : body_corners_[body])
-      farthest = greatest(farthest, norm(poses_[body].now(corner) - axis_point(model_.motions[motion])));
-    speed += peak_speed(model_.motions[motion], farthest);
+      farthest = greatest(farthest, norm(poses_[body].now(corner) - peaks.point));
+    speed += peaks.speed + peaks.rate * farthest;
   }
   return speed;
 }

@@ -96,6 +96,7 @@ class Simulation {
   std::vector<Rigid> body_reference_;              ///< placements at the last rebuild
   std::vector<std::array<Vec3, 8>> body_corners_;  ///< of a box around what parcels can touch, its own frame
   std::vector<std::uint32_t> wall_slots_by_id_;
+  std::vector<motions::Peaks> motion_peaks_;
   std::vector<double> margin_;       ///< m per parcel
   std::vector<double> body_margin_;  ///< m per body
   std::vector<Crossing> crossings_;
