@@ -7,37 +7,16 @@
 #include <cmath>
 #include <utility>
 
-#include "case/reader.hpp"
-#include "case/units.hpp"
-#include "engine/base/failure.hpp"
 #include "run/bed_file.hpp"
+#include "run/build_walls.hpp"
+#include "run/problems.hpp"
 
 namespace pulvis {
 namespace {
 
 constexpr double densest_random_pack = 0.36;  // random sequential placement stops near 0.38
 
-constexpr double rounding = 1e-9;              // m; shapes that touch do not cut each other
 constexpr double most_parcels = 2147483647.0;  // ids have 31 bits
-
-/// What does not fit together in a case, collected so that the user sees all of it at once.
-class Problems {
- public:
-  explicit Problems(const Case& c) : case_(c) {}
-  /// `key`: the key or table of the case to point at.
-  void add(const std::string& key, const std::string& message) {
-    text_ += fmt::format("{}{}: error: {}", text_.empty() ? "" : "\n", place_of(case_, key), message);
-  }
-  void throw_if_any() const {
-    if (!text_.empty()) throw Failure(Exit::bad_case, text_);
-  }
-
- private:
-  const Case& case_;
-  std::string text_;
-};
-
-std::string in_mm(double metres) { return format_quantity(metres, dimension::length); }
 
 void check_coarse_graining(const Case& c, Problems& problems) {
   const Powder& first = c.powders.front();
@@ -82,104 +61,6 @@ ContactClasses contact_classes(const Case& c, const std::vector<Species>& specie
     classes.set(p.first, p.second, contact);
   }
   return classes;
-}
-
-void check_against_parcels(const Wall& wall, double largest_diameter, Problems& problems) {
-  double narrowest = 1e300;
-  if (wall.shape == Wall::Shape::box)
-    for (int axis = 0; axis < 3; ++axis)
-      narrowest = std::min(narrowest, wall.region.max[axis] - wall.region.min[axis]);
-  else if (wall.shape == Wall::Shape::cylinder)
-    narrowest = std::min(2.0 * wall.region.radius, wall.region.height);
-  if (narrowest < 3.0 * largest_diameter)
-    problems.add("walls." + wall.name,
-                 fmt::format("walls.{} is only {} wide, less than three of the largest parcels ({})\n  lower "
-                             "coarse_graining, or check the units of the wall: is it in mm?",
-                             wall.name, in_mm(narrowest), in_mm(largest_diameter)));
-}
-
-void add_walls(const Case& c, const std::vector<Species>& species, Model& model, Problems& problems) {
-  for (const Wall& wall : c.walls) {
-    check_against_parcels(wall, 2.0 * model.largest_radius, problems);
-    Body body;
-    body.name = wall.name;
-    body.species = static_cast<std::uint32_t>(species_of_material(species, wall.material));
-    body.motion = wall.motion;
-    std::vector<Surface> surfaces;
-    switch (wall.shape) {
-      case Wall::Shape::plane:
-        surfaces = {plane_surface(wall.name, wall.point, wall.normal)};
-        break;
-      case Wall::Shape::box:
-        surfaces = box_surfaces(wall.name, wall.region, wall.open);
-        break;
-      case Wall::Shape::cylinder:
-        surfaces = cylinder_surfaces(wall.name, wall.region, wall.open);
-        break;
-    }
-    for (Surface& s : surfaces) {
-      s.body = static_cast<std::uint32_t>(model.bodies.size());
-      model.surfaces.push_back(s);
-    }
-    model.bodies.push_back(body);
-  }
-}
-
-/// Points of a region, its corners and rims among them.
-std::vector<Vec3> samples_of(const Region& r) {
-  constexpr int steps = 16;
-  std::vector<Vec3> points;
-  const Vec3 u = perpendicular(r.axis), v = cross(r.axis, u);
-  for (int i = 0; i <= steps; ++i)
-    for (int j = 0; j <= steps; ++j)
-      for (int k = 0; k <= steps; ++k) {
-        const double a = i / double(steps), b = j / double(steps), h = k / double(steps);
-        const Vec3 e = r.max - r.min;
-        const double turn = 2.0 * pi * b, out = a * r.radius;
-        points.push_back(r.shape == Region::Shape::box
-                             ? r.min + Vec3{a * e.x, b * e.y, h * e.z}
-                             : r.base + h * r.height * r.axis + out * std::cos(turn) * u +
-                                   out * std::sin(turn) * v);
-      }
-  return points;
-}
-
-/// Whether parts of a region lie on both sides of a surface, within its edges. Regions are convex, so that
-/// the surface then passes through; of a finite one a corner can go unseen between the samples.
-bool passes_through(const Surface& s, const std::vector<Vec3>& samples) {
-  bool before = false, behind = false;
-  for (const Vec3& p : samples) {
-    const NearestPoint nearest = nearest_point(s, p);
-    if (!nearest.in_face) continue;
-    behind = behind || nearest.elevation < -rounding;
-    before = before || nearest.elevation > rounding;
-  }
-  return before && behind;
-}
-
-/// The same for a rectangle along the axes and a box, exactly.
-bool rectangle_passes_through(const Surface& s, const Region& box) {
-  for (int axis = 0; axis < 3; ++axis) {
-    const double half = std::abs(s.side[0][axis]) * s.half[0] + std::abs(s.side[1][axis]) * s.half[1];
-    if (s.centre[axis] + half <= box.min[axis] + rounding) return false;
-    if (s.centre[axis] - half >= box.max[axis] - rounding) return false;
-  }
-  return true;
-}
-
-/// Parcels that appear in a wall are pushed out of it at any speed, on either side.
-void check_walls_in_region(const Source& source, const std::vector<Surface>& surfaces, Problems& problems) {
-  const bool box = source.region.shape == Region::Shape::box;
-  const std::vector<Vec3> samples = samples_of(source.region);
-  for (const Surface& s : surfaces) {
-    const bool exact = box && s.kind == Surface::Kind::rectangle;
-    if (!(exact ? rectangle_passes_through(s, source.region) : passes_through(s, samples))) continue;
-    problems.add(
-        fmt::format("sources.{}.region", source.name),
-        fmt::format("the wall {} passes through sources.{}.region; parcels would appear in the wall\n"
-                    "  keep the region on one side of it",
-                    s.name, source.name));
-  }
 }
 
 void check_region(const Case& c, const Source& source, const SizeSampler& sizes, Problems& problems) {
@@ -268,23 +149,29 @@ void check_periodic_widths(const Model& m, Problems& problems) {
               in_mm(2.0 * m.largest_radius), "xyz"[axis]));
 }
 
-/// Distance of a centre to the nearest surface over the radius, and which surface that is.
-std::pair<double, const Surface*> nearest_surface(const std::vector<Surface>& surfaces, const Parcel& p) {
-  std::pair<double, const Surface*> result{1e300, nullptr};
-  for (const Surface& s : surfaces) {
+/// Distance of a centre to the nearest wall over the radius, and the name of that wall.
+std::pair<double, std::string> nearest_wall(const Walls& walls, const Parcel& p) {
+  std::pair<double, std::string> result{1e300, ""};
+  for (const Surface& s : walls.surfaces) {
+    if (s.kind == Surface::Kind::patch) continue;
     const double distance = norm(nearest_point(s, p.position).point - p.position) / p.radius;
-    if (distance < result.first) result = {distance, &s};
+    if (distance < result.first) result = {distance, s.name};
   }
+  for (const FacetedWall& mesh : walls.meshes)
+    mesh.for_near(p.position, p.radius, [&](std::uint32_t triangle) {
+      const double distance = norm(mesh.nearest(triangle, p.position).point - p.position) / p.radius;
+      if (distance < result.first) result = {distance, walls.names[walls.surfaces[mesh.first_surface].wall]};
+    });
   return result;
 }
 
 /// A bed that sits in a wall was made for another die; its parcels would be thrown out of the wall.
-void check_bed_against_walls(const std::string& path, const Bed& bed, const std::vector<Surface>& surfaces) {
+void check_bed_against_walls(const std::string& path, const Bed& bed, const Walls& walls) {
   constexpr double closest = 0.5;  // radii; contacts never come near it
   std::size_t count = 0, worst = 0;
-  std::pair<double, const Surface*> least{closest, nullptr};
+  std::pair<double, std::string> least{closest, ""};
   for (std::size_t k = 0; k < bed.parcels.size(); ++k) {
-    const auto found = nearest_surface(surfaces, bed.parcels[k]);
+    const auto found = nearest_wall(walls, bed.parcels[k]);
     if (found.first >= closest) continue;
     ++count;
     if (found.first < least.first) least = found, worst = k;
@@ -295,18 +182,7 @@ void check_bed_against_walls(const std::string& path, const Bed& bed, const std:
       fmt::format("{}: error: {} of {} parcels lie in a wall, with their centres closer to it than "
                   "half a radius; worst is parcel {}, {:.2g} radii from {}\n  was the bed made with "
                   "these walls? Move them, or take another bed",
-                  path, count, bed.parcels.size(), bed.ids[worst], least.first, least.second->name));
-}
-
-void check_motions(const Case& c, const Model& m, Problems& problems) {
-  for (std::size_t k = 0; k < m.motions.size(); ++k)
-    if (const double leap = m.motions[k].peak_speed() * m.dt; leap > 0.05 * m.smallest_radius)
-      problems.add(
-          "motions." + c.motions[k].name,
-          fmt::format(
-              "a wall moves {} in one time step, more than 5 % of the smallest radius ({})\n  lower the "
-              "motion's amplitude or frequency, or time.fraction",
-              in_mm(leap), in_mm(m.smallest_radius)));
+                  path, count, bed.parcels.size(), bed.ids[worst], least.first, least.second));
 }
 
 SourceModel source_model(const Case& c, const Source& source, std::vector<Parcel> bed) {
@@ -364,27 +240,33 @@ Assembly assemble(const Case& c) {
   for (int axis = 0; axis < 3; ++axis) m.domain.periodic[axis] = c.domain.periodic[axis];
   auto beds = read_beds(c, m.domain);
   find_radii(c, beds, m);
-  a.time_step = choose_time_step(c, a.species, a.pairs, smallest_radii(c, a.species, beds));
+  BuiltWalls built = build_walls(c, a.species, m.largest_radius);
+  m.walls = std::move(built.walls);
+  a.notes = std::move(built.notes);
+  a.warnings = std::move(built.warnings);
+  check_walls(c, m.walls, m.largest_radius, problems);
+  problems.throw_if_any();  // what follows asks where walls are
+  a.time_step = choose_time_step(c, a.species, a.pairs, m.walls, smallest_radii(c, a.species, beds));
   if (const std::string wrong = step_problem(c, a.time_step); !wrong.empty())
     problems.add("time.step", wrong);
-  m.gravity = c.gravity;
+  m.body_force = c.body_force;
   m.dt = a.time_step.step;
   m.seed = c.seed;
   check_periodic_widths(m, problems);
-  for (const Motion& motion : c.motions)
-    m.motions.push_back({motion.amplitude, motion.frequency, motion.phase, motion.direction});
+  for (const Motion& motion : c.motions) m.motions.push_back(motion.motion);
   m.classes = contact_classes(c, a.species, a.pairs);
-  add_walls(c, a.species, m, problems);
   for (std::size_t k = 0; k < c.sources.size(); ++k) {
     m.sources.push_back(source_model(c, c.sources[k], beds[k].parcels));
     if (c.sources[k].kind == Source::Kind::file) continue;
     check_region(c, c.sources[k], *m.sources.back().sizes, problems);
-    check_walls_in_region(c.sources[k], m.surfaces, problems);
+    check_walls_in_region(c.sources[k], m.walls, m.domain, problems);
   }
-  check_motions(c, m, problems);
+  check_wall_speeds(c, m.walls, m.dt, m.smallest_radius, problems);
+  problems.throw_if_any();
+  check_bodies_keep_apart(c, m.walls, m.domain, m.dt, problems);
   problems.throw_if_any();
   for (std::size_t k = 0; k < c.sources.size(); ++k)
-    check_bed_against_walls(c.sources[k].path, beds[k], m.surfaces);
+    check_bed_against_walls(c.sources[k].path, beds[k], m.walls);
   return a;
 }
 

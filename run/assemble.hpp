@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <string>
 #include <vector>
 
 #include "case/case.hpp"
@@ -15,6 +16,8 @@ struct Assembly {
   std::vector<PairProperties> pairs;
   TimeStep time_step;
   Model model;
+  std::vector<std::string> notes;     ///< what was read: a line for each mesh
+  std::vector<std::string> warnings;  ///< what is wrong with it, but can be run
 };
 
 /// Builds the model of a case. Throws Failure(bad_case) with the place and remedy of everything that does not

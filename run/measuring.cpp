@@ -26,6 +26,15 @@ measures::Container container_of(const Region& region, const Vec3& moved, const 
   return m;
 }
 
+const Pose& pose_of_die(const Case& c, const Simulation& simulation) {
+  const std::string& body = c.walls[*c.measures.die].body;
+  const auto& bodies = simulation.model().walls.bodies;
+  const auto at = std::find_if(bodies.begin(), bodies.end(), [&](const Body& b) { return b.name == body; });
+  return simulation.pose(static_cast<std::size_t>(at - bodies.begin()));
+}
+
+bool has_turned(const Pose& pose) { return !(pose.now == Rigid::translation(pose.now.shift)); }
+
 /// Mean parcel diameter of the powder the case describes: fixed, so that grids do not change while filling.
 double mean_parcel_diameter(const Case& c) { return SizeSampler(parcel_sizes(c.powders.front())).mean(); }
 
@@ -59,15 +68,25 @@ Sight look_at(const Simulation& simulation) {
 }
 
 std::optional<measures::Container> measured_container(const Case& c, const Simulation& simulation) {
-  if (c.measures.die)
-    return container_of(c.walls[*c.measures.die].region, simulation.body_displacement(*c.measures.die),
-                        c.gravity);
-  if (c.measures.region) return container_of(*c.measures.region, {}, c.gravity);
-  return {};
+  const Vec3 pull = simulation.field().at(0.5 * (c.domain.min + c.domain.max));
+  if (c.measures.region) return container_of(*c.measures.region, {}, pull);
+  if (!c.measures.die) return {};
+  const Pose& pose = pose_of_die(c, simulation);
+  const Region& region = c.walls[*c.measures.die].region;
+  if (!has_turned(pose)) return container_of(region, pose.now.shift, pull);
+  return container_of(region, {}, pose.now.turn_back(pull));  // its own frame
+}
+
+Sight look_at_die(const Case& c, const Simulation& simulation) {
+  Sight sight = look_at(simulation);
+  if (!c.measures.die || !has_turned(pose_of_die(c, simulation))) return sight;
+  for (measures::Sphere& sphere : sight.spheres)
+    sphere.centre = pose_of_die(c, simulation).now.back(sphere.centre);
+  return sight;
 }
 
 Measurement measure(const Case& c, const Simulation& simulation) {
-  const Sight sight = look_at(simulation);
+  const Sight sight = look_at_die(c, simulation);
   Measurement m;
   const std::string window = "instantaneous";
   const auto add = [&](const char* name, std::optional<double> value, const char* unit) {
@@ -93,7 +112,7 @@ Measurement measure(const Case& c, const Simulation& simulation) {
     add("coordination_walls_mean", coordination.mean_walls, "1");
     add("free_surface_height_mean", surface.mean, "m");
   }
-  const auto energies = measures::energies(sight.bodies, c.gravity);
+  const auto energies = measures::energies(sight.bodies, simulation.field().gravity);
   add("kinetic_energy_translational", energies.translational, "J");
   add("kinetic_energy_rotational", energies.rotational, "J");
   add("potential_energy", energies.potential, "J");

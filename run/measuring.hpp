@@ -38,7 +38,11 @@ struct Measurement {
   std::optional<measures::PorosityField> porosity;  ///< none if no die is measured
 };
 
-/// The inside of the measured die where it stands now (moved with its wall); none if the case measures none.
+/// The same in the frame of `measured_container`: that of the die if it has turned.
+Sight look_at_die(const Case& c, const Simulation& simulation);
+
+/// The inside of the measured die where it stands now: moved with its wall, or, once that has turned, in the
+/// wall's own frame. None if the case measures none.
 std::optional<measures::Container> measured_container(const Case& c, const Simulation& simulation);
 
 Measurement measure(const Case& c, const Simulation& simulation);

@@ -9,6 +9,8 @@
 
 #include "case/units.hpp"
 #include "engine/laws/estimates.hpp"
+#include "run/body_pull.hpp"
+#include "run/build_walls.hpp"
 
 namespace pulvis {
 namespace {
@@ -36,30 +38,29 @@ Sizes sizes_of(const Case& c, const Species& a, const Species& b, bool parcels) 
 }
 
 /// Pressure under the expected bed, Pa: its weight over the smallest footprint of a wall that could hold it.
-double bed_stress(const Case& c, double mass) {
+double bed_stress(const Case& c, const Walls& walls, double mass) {
+  const Vec3 pull = strongest_pull(c);
+  const auto footprint = [&](const Vec3& e) {
+    const double x = std::abs(pull.x), y = std::abs(pull.y), z = std::abs(pull.z);
+    return x > y && x > z ? e.y * e.z : y > z ? e.x * e.z : e.x * e.y;
+  };
   double area = 1e300;
-  for (const Wall& w : c.walls) {
-    if (w.shape == Wall::Shape::plane) continue;
-    if (w.region.shape == Region::Shape::cylinder)
-      area = std::min(area, pi * square(w.region.radius));
-    else {
-      const Vec3 e = w.region.max - w.region.min;
-      const Vec3& g = c.gravity;
-      const double x = std::abs(g.x), y = std::abs(g.y), z = std::abs(g.z);
-      area = std::min(area, x > y && x > z ? e.y * e.z : y > z ? e.x * e.z : e.x * e.y);
-    }
+  for (std::size_t w = 0; w < c.walls.size(); ++w) {
+    const Wall& wall = c.walls[w];
+    Vec3 low, high;
+    if (wall.shape == Wall::Shape::cylinder)
+      area = std::min(area, pi * square(wall.region.radius));
+    else if ((wall.has_inside() || wall.shape == Wall::Shape::mesh) && bounds_of_wall(walls, w, low, high))
+      area = std::min(area, footprint(high - low));
   }
-  if (area > 1e299) {
-    const Vec3 e = c.domain.max - c.domain.min;
-    area = std::abs(c.gravity.z) > 0 ? e.x * e.y : std::abs(c.gravity.y) > 0 ? e.x * e.z : e.y * e.z;
-  }
-  return mass * norm(c.gravity) / area;
+  if (!(area > 0.0 && area < 1e299)) area = footprint(c.domain.max - c.domain.min);
+  return mass * norm(pull) / area;
 }
 
 PairForecast forecast_pair(const Case& c, const Assembly& a, const PairProperties& p, double stress) {
   const Species &s1 = a.species[p.first], &s2 = a.species[p.second];
   const Sizes grain = sizes_of(c, s1, s2, false), parcel = sizes_of(c, s1, s2, true);
-  const double g = std::max(norm(c.gravity), 1e-300);
+  const double g = std::max(norm(strongest_pull(c)), 1e-300);
   const double w0 = p.real.work_of_adhesion, w = p.simulated.work_of_adhesion;
   const double e0 = p.real.effective_modulus, e = p.simulated.effective_modulus;
   PairForecast f;
@@ -75,7 +76,8 @@ PairForecast forecast_pair(const Case& c, const Assembly& a, const PairPropertie
     f.sticking_speed = laws::jkr_sticking_speed(parcel.mass, parcel.radius, e, w);
   }
   // A contact at the bottom carries about the pressure times the square of a diameter.
-  const double force = std::max(stress * square(2.0 * parcel.own_radius), parcel.own_mass * norm(c.gravity));
+  const double force =
+      std::max(stress * square(2.0 * parcel.own_radius), parcel.own_mass * norm(strongest_pull(c)));
   f.resting_overlap = (adheres ? laws::jkr_overlap_under(force, parcel.radius, e, w)
                                : laws::hertz_overlap_under(force, parcel.radius, e)) /
                       parcel.own_radius;
@@ -126,6 +128,13 @@ std::string force_text(double newton) { return newton > 0 ? format_quantity(newt
 std::string speed_text(double speed) { return speed > 0 ? format_quantity(speed, dimension::speed) : "-"; }
 std::string number_text(double value) { return value > 0 ? fmt::format("{:.4g}", value) : "-"; }
 
+/// Half the way of a motion that swings to and fro, m.
+std::optional<double> amplitude_of(const motions::Motion& motion) {
+  if (const auto* sine = std::get_if<motions::Sine>(&motion.kind)) return sine->wave.amplitude;
+  if (const auto* wave = std::get_if<motions::SquareWave>(&motion.kind)) return wave->amplitude;
+  return {};
+}
+
 std::string powder_lines(const Case& c) {
   std::string text;
   for (const Powder& p : c.powders) {
@@ -144,6 +153,26 @@ std::string powder_lines(const Case& c) {
                           p.keep == Powder::Keep::pull_off ? "pull-off force" : "sticking speed");
   }
   return text;
+}
+
+/// The peaks of a motion: what a shaker or a drive has to give.
+std::string motion_line(const Motion& motion) {
+  const motions::Peaks peaks = motions::peaks(motion.motion);
+  std::string text = fmt::format("motion {}:", motion.name);
+  if (const auto amplitude = amplitude_of(motion.motion))
+    text += fmt::format(" amplitude {},", format_quantity(*amplitude, dimension::length));
+  if (const auto period = motions::cycle(motion.motion))
+    text += fmt::format(" {},", format_quantity(1.0 / *period, dimension::frequency));
+  if (peaks.speed > 0.0)
+    text += fmt::format(
+        " peak speed {}, peak acceleration {} ({:.3g} g)", format_quantity(peaks.speed, dimension::speed),
+        format_quantity(peaks.acceleration, dimension::acceleration), peaks.acceleration / 9.80665);
+  if (peaks.rate > 0.0)
+    text += fmt::format(" peak rate {:.4g} rad/s, peak angular acceleration {:.4g} rad/s^2", peaks.rate,
+                        peaks.angular_acceleration);
+  if (const auto end = motions::duration(motion.motion))
+    text += fmt::format(", at rest after {}", format_quantity(*end, dimension::time));
+  return text + "\n";
 }
 
 }  // namespace
@@ -165,7 +194,7 @@ Forecast forecast(const Case& c, const Assembly& a) {
                                         SizeSampler(parcel_sizes(powder)).mean_cube());
   }
   f.memory = f.parcels * bytes_per_parcel;
-  f.bed_stress = bed_stress(c, mass);
+  f.bed_stress = bed_stress(c, a.model.walls, mass);
   for (const PairProperties& p : a.pairs) f.pairs.push_back(forecast_pair(c, a, p, f.bed_stress));
   add_warnings(c, a, f);
   return f;
@@ -183,13 +212,8 @@ std::string check_report(const Case& c, const Assembly& a, const Forecast& f) {
                       format_quantity(a.time_step.characteristic_speed, dimension::speed));
   text += fmt::format("parcels {:.0f}, memory about {:.0f} MB, pressure under the bed about {}\n", f.parcels,
                       std::ceil(f.memory / 1e6), format_quantity(f.bed_stress, dimension::pressure));
-  for (std::size_t k = 0; k < c.motions.size(); ++k) {
-    const double peak = c.motions[k].amplitude * square(2.0 * pi * c.motions[k].frequency);
-    text += fmt::format("motion {}: amplitude {}, {}, peak acceleration {} ({:.3g} g)\n", c.motions[k].name,
-                        format_quantity(c.motions[k].amplitude, dimension::length),
-                        format_quantity(c.motions[k].frequency, dimension::frequency),
-                        format_quantity(peak, dimension::acceleration), peak / 9.80665);
-  }
+  for (const std::string& note : a.notes) text += note + "\n";
+  for (const Motion& motion : c.motions) text += motion_line(motion);
   text += fmt::format("\n{:<34} {:>12} {:>12} {:>10} {:>10} {:>12} {:>12} {:>9} {:>9}\n", "pair (d50)",
                       "pull-off", "pull-off", "Bond", "Bond", "sticking", "sticking", "overlap", "overlap");
   text += fmt::format("{:<34} {:>12} {:>12} {:>10} {:>10} {:>12} {:>12} {:>9} {:>9}\n", "", "real grain",

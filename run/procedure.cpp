@@ -9,6 +9,7 @@
 #include "engine/base/failure.hpp"
 #include "measures/fill.hpp"
 #include "run/assemble.hpp"
+#include "run/body_pull.hpp"
 #include "run/measuring.hpp"
 #include "run/species.hpp"
 
@@ -24,7 +25,7 @@ std::uint64_t steps_for(double seconds, double dt) {
 /// Translational energy of all parcels, J. Spin about a contact's normal meets no resistance, so rotation may
 /// never die out; it does not move powder.
 double translational_energy(const Simulation& simulation) {
-  return measures::energies(look_at(simulation).bodies, simulation.model().gravity).translational;
+  return measures::energies(look_at(simulation).bodies, simulation.field().gravity).translational;
 }
 
 }  // namespace
@@ -33,7 +34,7 @@ Procedure::Procedure(const Case& c, Simulation& simulation) : case_(c), simulati
   const Powder& powder = c.powders.front();
   const double d50 = SizeSampler(parcel_sizes(powder)).median_by_mass();
   const double mass = c.materials[powder.material].density * sphere_volume(0.5 * d50);
-  const double g = std::max(norm(c.gravity), 1e-3);
+  const double g = std::max(norm(strongest_pull(c)), 1e-3);
   default_rest_energy_ = 1e-3 * mass * g * d50;
   time_to_fall_ = std::sqrt(2.0 * d50 / g);
   for (const Source& source : c.sources) expected_parcels_.push_back(expected_parcels(c, source));
@@ -50,6 +51,11 @@ std::uint64_t Procedure::steps_in_phase() const {
 
 void Procedure::begin_phase() {
   simulation_.state().progress.phase_start = simulation_.state().step;
+  const Walls& walls = simulation_.model().walls;
+  for (std::size_t b = 0; b < walls.bodies.size(); ++b) {
+    const auto belongs = [&](std::size_t w) { return case_.walls[w].body == walls.bodies[b].name; };
+    simulation_.set_absent(b, std::any_of(phase().without.begin(), phase().without.end(), belongs));
+  }
   for (const std::size_t s : phase().sources) simulation_.open_source(s);
   for (const std::size_t m : phase().motions) simulation_.start_motion(m);
 }
@@ -69,7 +75,13 @@ std::optional<std::uint64_t> Procedure::planned_steps(const Phase& p) const {
   const double dt = simulation_.model().dt;
   if (p.until == Phase::Until::time) return steps_for(p.duration, dt);
   if (p.until == Phase::Until::cycles)
-    return steps_for(p.cycles / simulation_.model().motions[p.motions.front()].frequency, dt);
+    return steps_for(p.cycles * cycle(simulation_.model().motions[p.motions.front()]).value(), dt);
+  if (p.until == Phase::Until::motions) {
+    double longest = 0.0;
+    for (const std::size_t m : p.motions)
+      longest = std::max(longest, duration(simulation_.model().motions[m]).value());
+    return static_cast<std::uint64_t>(std::ceil(longest / dt));  // not before they have come to rest
+  }
   return {};
 }
 
@@ -84,7 +96,7 @@ bool Procedure::criterion_met(const Phase& p) const {
   if (steps % steps_between_questions != 0) return false;
   if (p.until == Phase::Until::mass) {
     const auto die = measured_container(case_, simulation_);
-    const Sight sight = look_at(simulation_);
+    const Sight sight = look_at_die(case_, simulation_);
     return die && measures::fill_inside(sight.spheres, sight.masses, *die).mass >= p.mass;
   }
   if (p.at_least == 0.0 && seconds < time_to_fall_) return false;
@@ -104,6 +116,8 @@ std::optional<std::string> Procedure::ended() const {
         return "mass";
       case Phase::Until::cycles:
         return "cycles";
+      case Phase::Until::motions:
+        return "motions";
       case Phase::Until::rest:
         return "rest";
     }

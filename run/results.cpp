@@ -10,9 +10,11 @@
 #include <nlohmann/json.hpp>
 
 #include "case/units.hpp"
+#include "engine/contacts/wall_sight.hpp"
 #include "output/picture.hpp"
 #include "output/result_json.hpp"
 #include "output/safe_file.hpp"
+#include "run/body_pull.hpp"
 #include "run/wall_mesh.hpp"
 
 namespace pulvis {
@@ -81,9 +83,9 @@ double wall_overlap_ratio(const Simulation& simulation) {
   for (std::size_t s = 0; s < walls.slots(); ++s) {
     if (!walls.touching[s]) continue;
     const Parcel& p = simulation.state().parcels.body[walls.parcel[s]];
-    const Surface& surface = simulation.model().surfaces[walls.surface[s]];
-    const Vec3 at = p.position - simulation.body_displacement(surface.body);
-    const double overlap = p.radius - norm(nearest_point(surface, at).point - at);
+    const Walls& all = simulation.model().walls;
+    const Pose& pose = simulation.pose(all.surfaces[walls.surface[s]].body);
+    const double overlap = p.radius - look(all, walls, s, pose.now.back(p.position)).distance;
     largest = std::max(largest, overlap / p.radius);
   }
   return largest;
@@ -117,7 +119,10 @@ Json to_json(const std::vector<Escape>& escapes) {
   return list;
 }
 
-Vec3 up_in(const Case& c) { return norm(c.gravity) > 0.0 ? -c.gravity / norm(c.gravity) : Vec3{0, 0, 1}; }
+Vec3 up_in(const Case& c, double time) {
+  const Vec3 pull = pull_at(c, time);
+  return norm(pull) > 0.0 ? -pull / norm(pull) : Vec3{0, 0, 1};
+}
 
 /// Upright through the middle of the die, square to y where that is level and else to x.
 CutPlane cut_through(const measures::Container& die, const Vec3& up) {
@@ -174,7 +179,7 @@ void Results::write_case(const std::vector<Override>& overrides) {
 void Results::log(const Simulation& simulation, const std::string& phase) {
   const State& state = simulation.state();
   const Sight sight = look_at(simulation);
-  const Vec3 up = up_in(case_);
+  const Vec3 up = up_in(case_, simulation.time());
   double fastest = 0.0, highest = 0.0;
   for (std::size_t k = 0; k < sight.bodies.size(); ++k) {
     fastest = std::max(fastest, norm(sight.bodies[k].velocity));
@@ -234,8 +239,8 @@ void Results::frame(const Simulation& simulation, const std::optional<measures::
   parcels_.add(time, file("parcels", "vtp"));
 
   const WallMesh walls =
-      mesh_of_walls(simulation.model().surfaces, simulation.model().domain,
-                    [&](std::uint32_t body) { return simulation.body_displacement(body); });
+      mesh_of_walls(simulation.model().walls, simulation.model().domain,
+                    [&](std::uint32_t body) -> const Pose& { return simulation.pose(body); });
   const std::vector<Field> wall_fields = {{"body", std::span<const std::uint32_t>(walls.body)},
                                           {"surface", std::span<const std::uint32_t>(walls.surface)}};
   write_surface_vtp(folder_.file(file("walls", "vtp")), walls.mesh, wall_fields, time);
@@ -261,11 +266,10 @@ void Results::picture(const Simulation& simulation, const std::string& phase, bo
   for (std::size_t k = 0; k < sight.spheres.size(); ++k)
     request.spheres.push_back({sight.spheres[k].centre, sight.spheres[k].radius,
                                static_cast<float>(std::min(1.0, contacts[k] / most_contacts))});
-  request.walls =
-      mesh_of_walls(simulation.model().surfaces, simulation.model().domain, [&](std::uint32_t body) {
-        return simulation.body_displacement(body);
-      }).mesh;
-  request.up = up_in(case_);
+  request.walls = mesh_of_walls(simulation.model().walls, simulation.model().domain,
+                                [&](std::uint32_t body) -> const Pose& { return simulation.pose(body); })
+                      .mesh;
+  request.up = up_in(case_, simulation.time());
   if (const auto die = measured_container(case_, simulation)) request.cut = cut_through(*die, request.up);
   request.colour_bar = ColourBar{"contacts per parcel", 0.0, most_contacts};
   request.title = case_.title.empty() ? case_.file : case_.title;

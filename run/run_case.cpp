@@ -56,7 +56,10 @@ class Runner {
     for (const Phase& p : c.phases) {
       double length = std::max(p.duration, p.time_limit);
       if (p.until == Phase::Until::cycles)
-        length = std::max(length, p.cycles / c.motions[p.motions.front()].frequency);
+        length = std::max(length, p.cycles * cycle(c.motions[p.motions.front()].motion).value());
+      if (p.until == Phase::Until::motions)
+        for (const std::size_t m : p.motions)
+          length = std::max(length, duration(c.motions[m].motion).value());
       longest = std::max(longest, length);
     }
     return longest / 100.0;

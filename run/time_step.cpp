@@ -8,7 +8,8 @@
 #include "engine/base/failure.hpp"
 #include "engine/laws/estimates.hpp"
 #include "engine/parcels/parcels.hpp"
-#include "engine/walls/motion.hpp"
+#include "run/body_pull.hpp"
+#include "run/build_walls.hpp"
 
 namespace pulvis {
 namespace {
@@ -34,21 +35,24 @@ struct Depths {
 
 /// Largest distance a parcel of this source can fall, m: to the deepest wall below it, or to the end of the
 /// domain where there is none.
-double fall_height(const Case& c, const Source& source) {
-  const double g = norm(c.gravity);
+double fall_height(const Case& c, const Walls& built, const Source& source) {
+  const Vec3 gravity = strongest_pull(c);
+  const double g = norm(gravity);
   if (g == 0.0) return 0.0;
-  const Vec3 down = c.gravity / g;
+  const Vec3 down = gravity / g;
   Depths start, end, walls;
   end.add_box(down, c.domain.min, c.domain.max);
   if (source.kind == Source::Kind::file)
     start.add(end.shallowest);
   else
     start.add_region(down, source.region);
-  for (const Wall& wall : c.walls)
-    if (wall.shape == Wall::Shape::plane)
-      walls.add(dot(down, wall.point));
+  for (std::size_t w = 0; w < c.walls.size(); ++w) {
+    Vec3 low, high;
+    if (bounds_of_wall(built, w, low, high))
+      walls.add_box(down, low, high);
     else
-      walls.add_region(down, wall.region);
+      walls.add(dot(down, c.walls[w].point));
+  }
   const double floor = walls.deepest > start.shallowest ? least(end.deepest, walls.deepest) : end.deepest;
   return greatest(floor - start.shallowest, 0.0);
 }
@@ -59,30 +63,26 @@ std::string pair_name(const std::vector<Species>& species, const PairProperties&
 
 }  // namespace
 
-double characteristic_speed(const Case& c) {
+double characteristic_speed(const Case& c, const Walls& walls) {
   if (c.time.characteristic_speed) return *c.time.characteristic_speed;
   double highest = 1e-3;  // a case in which nothing moves still needs a limit
   for (const Phase& phase : c.phases) {
-    double parcels = 0.0, wall = 0.0;
+    double parcels = 0.0;
     for (const std::size_t s : phase.sources) {
       const Source& source = c.sources[s];
-      const double fall = 2.0 * norm(c.gravity) * fall_height(c, source);
+      const double fall = 2.0 * norm(strongest_pull(c)) * fall_height(c, walls, source);
       parcels = greatest(parcels, root(dot(source.velocity, source.velocity) + fall));
     }
-    for (const std::size_t k : phase.motions) {
-      const Motion& m = c.motions[k];
-      wall = greatest(wall, SineMotion{m.amplitude, m.frequency, m.phase, m.direction}.peak_speed());
-    }
-    highest = greatest(highest, parcels + wall);
+    highest = greatest(highest, parcels + peak_wall_speed(c, walls, phase));
   }
   return highest;
 }
 
 TimeStep choose_time_step(const Case& c, const std::vector<Species>& species,
-                          const std::vector<PairProperties>& pairs,
+                          const std::vector<PairProperties>& pairs, const Walls& walls,
                           const std::vector<double>& smallest_radius) {
   TimeStep result;
-  result.characteristic_speed = characteristic_speed(c);
+  result.characteristic_speed = characteristic_speed(c, walls);
   const std::vector<double>& radius = smallest_radius;
   std::vector<double> mass(species.size(), 0.0);
   for (std::size_t s = 0; s < species.size(); ++s) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "case/case.hpp"
+#include "engine/walls/bodies.hpp"
 #include "run/species.hpp"
 
 namespace pulvis {
@@ -25,7 +26,7 @@ struct TimeStep {
 /// Speed that collisions can reach, m/s: over all phases, the largest sum of the fall of the parcels that
 /// appear in it (from the top of their region to the deepest wall, with their initial velocity) and of its
 /// fastest wall. The case can state its own.
-double characteristic_speed(const Case& c);
+double characteristic_speed(const Case& c, const Walls& walls);
 
 /// The time step: the case's own, or its fraction of the smallest limit. For the smallest parcels, whose
 /// radius (m) is given for each species that is a powder:
@@ -34,7 +35,7 @@ double characteristic_speed(const Case& c);
 ///   cohesive stiffness   sqrt(m*/k), k the JKR stiffness at zero overlap        per adhesive pair
 ///   cohesive speed       delta_c/(10 v_s), v_s the sticking speed               per adhesive pair
 TimeStep choose_time_step(const Case& c, const std::vector<Species>& species,
-                          const std::vector<PairProperties>& pairs,
+                          const std::vector<PairProperties>& pairs, const Walls& walls,
                           const std::vector<double>& smallest_radius);
 
 /// Why the step cannot be used (the case gives one above the smallest limit), with its remedy; empty if it can.

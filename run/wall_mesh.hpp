@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -10,29 +11,25 @@
 
 namespace pulvis {
 
-/// Walls as triangles, to look at: planes are cut off at the domain, round walls get 64 facets.
+/// Walls as triangles, to look at and to check: planes are cut off at the domain, round walls get 64 facets,
+/// meshes are as they are.
 struct WallMesh {
   SurfaceMesh mesh;
-  std::vector<std::uint32_t> body;     ///< per triangle
-  std::vector<std::uint32_t> surface;  ///< per triangle
+  std::vector<std::uint32_t> body, wall, surface;  ///< per triangle
+  std::vector<std::uint32_t> facet;                ///< per triangle: of its mesh; no_facet for shapes
 };
 
-/// `displacement(body)` is where each body stands now, m.
-template <class Displacement>
-WallMesh mesh_of_walls(std::span<const Surface> surfaces, const Box& domain, Displacement&& displacement);
+/// The walls where their bodies stand; absent bodies are left out. `pose(body)`.
+WallMesh mesh_of_walls(const Walls& walls, const Box& domain,
+                       const std::function<const Pose&(std::uint32_t)>& pose);
 
-/// The triangles of one surface, moved by `shift`, added to `mesh`.
-void add_triangles(const Surface& surface, const Box& domain, const Vec3& shift, SurfaceMesh& mesh);
+/// The triangles of one shape in the frame of its body. Not for patches.
+TriangleMesh triangles_of(const Surface& surface, const Box& domain);
 
-template <class Displacement>
-WallMesh mesh_of_walls(std::span<const Surface> surfaces, const Box& domain, Displacement&& displacement) {
-  WallMesh result;
-  for (std::uint32_t s = 0; s < surfaces.size(); ++s) {
-    add_triangles(surfaces[s], domain, displacement(surfaces[s].body), result.mesh);
-    result.body.resize(result.mesh.triangles.size(), surfaces[s].body);
-    result.surface.resize(result.mesh.triangles.size(), s);
-  }
-  return result;
-}
+/// All triangles of one body, in its own frame.
+TriangleMesh triangles_of_body(const Walls& walls, std::uint32_t body, const Box& domain);
+
+/// The faces of a box or cylinder.
+TriangleMesh triangles_of(const Region& region);
 
 }  // namespace pulvis
