@@ -53,7 +53,8 @@ inline Rigid operator*(const Rigid& outer, const Rigid& inner) {
 inline Vec3 turned_between(const Rigid& before, const Rigid& now) {
   // Off-diagonal elements of now.turn * transposed before.turn.
   const auto element = [&](int i, int k) { return dot(now.row[i], before.row[k]); };
-  return 0.5 * Vec3{element(2, 1) - element(1, 2), element(0, 2) - element(2, 0), element(1, 0) - element(0, 1)};
+  return 0.5 *
+         Vec3{element(2, 1) - element(1, 2), element(0, 2) - element(2, 0), element(1, 0) - element(0, 1)};
 }
 
 }  // namespace pulvis
