@@ -32,19 +32,19 @@ Fault unless_finite(const char* name, const Vec3& value) {
 }
 
 Fault unless_above_zero(const char* name, double value, const char* unit) {
-  if (const Fault fault = unless_finite(name, value)) return fault;
+  if (Fault fault = unless_finite(name, value)) return fault;
   if (value > 0.0) return std::nullopt;
   return fmt::format("the {} must be above 0, but is {}", name, with_unit(value, unit));
 }
 
 Fault unless_not_negative(const char* name, double value, const char* unit) {
-  if (const Fault fault = unless_finite(name, value)) return fault;
+  if (Fault fault = unless_finite(name, value)) return fault;
   if (value >= 0.0) return std::nullopt;
   return fmt::format("the {} must not be negative, but is {}", name, with_unit(value, unit));
 }
 
 Fault unless_unit_vector(const char* name, const Vec3& value) {
-  if (const Fault fault = unless_finite(name, value)) return fault;
+  if (Fault fault = unless_finite(name, value)) return fault;
   if (magnitude(norm(value) - 1.0) <= 1e-9) return std::nullopt;
   return fmt::format("the {} ({:g}, {:g}, {:g}) is not of length 1", name, value.x, value.y, value.z);
 }

@@ -27,7 +27,7 @@ std::optional<double> duration(const Motion& motion) {
 }
 
 Fault fault(const Motion& motion) {
-  if (const Fault fault = unless_not_negative("start", motion.start, "s")) return fault;
+  if (Fault fault = unless_not_negative("start", motion.start, "s")) return fault;
   if (!(motion.end > motion.start))
     return fmt::format("the end, {:g} s, must be after the start, {:g} s", motion.end, motion.start);
   return std::visit([](const auto& kind) { return kind.fault(); }, motion.kind);

@@ -27,8 +27,8 @@ struct Motion {
 };
 
 /// Displacement of the body `since` seconds after the motion was set going, from where it was then; up to
-/// `start` exactly none. After k cycles it is off by up to 7e-16 k
-/// amplitudes (square wave: 7e-16 k/(f t_r)), for their number is rounded once.
+/// `start` exactly none. After k cycles it is off by up to 1.4e-15 k amplitudes (square wave:
+/// 7e-16 k/(f t_r)), for the number of cycles is rounded: no more than a rounding or two of the time does.
 Rigid displacement(const Motion& motion, double since);
 
 /// As if `end` were never reached.

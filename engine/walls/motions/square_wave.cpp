@@ -38,7 +38,7 @@ Peaks SquareWave::peaks() const {
 }
 
 Fault SquareWave::fault() const {
-  if (const Fault fault =
+  if (Fault fault =
           first_of({unless_finite("amplitude", amplitude), unless_above_zero("frequency", frequency, "Hz"),
                     unless_unit_vector("direction", direction), unless_above_zero("rise time", rise(), "s"),
                     unless_above_zero("period of the modulation", modulation(), "s")}))
