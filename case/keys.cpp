@@ -153,6 +153,7 @@ std::optional<std::string> nearest(const std::string& word, const std::vector<st
         candidate.size() > word.size() ? candidate.size() - word.size() : word.size() - candidate.size();
     if (difference >= best_distance) continue;
     const std::size_t distance = edit_distance(lower(word), lower(candidate));
+    if (distance >= word.size()) continue;  // nothing of the word is left
     if (distance < best_distance) best = candidate, best_distance = distance;
   }
   return best;

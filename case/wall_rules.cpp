@@ -36,12 +36,6 @@ bool ascending(const Section& section, const std::string& list, ProblemList& pro
   return true;
 }
 
-/// Whether every key of a section that was given, or is due, has a valid value.
-bool is_valid(const Section& section) {
-  return std::all_of(section.settings.begin(), section.settings.end(),
-                     [](const auto& entry) { return entry.second.valid || !entry.second.given; });
-}
-
 // What the values of a motion make of it together.
 void motion_makes_sense(const Section& motion, ProblemList& problems) {
   bool sound = ascending(motion, "times", problems);
@@ -49,7 +43,7 @@ void motion_makes_sense(const Section& motion, ProblemList& problems) {
   for (const char* list : {"frequencies", "phases"})
     sound = as_long(motion, list, "amplitudes", problems) && sound;
   const std::string* kind = motion.optional_text("kind");
-  if (!sound || kind == nullptr || !is_valid(motion)) return;
+  if (!sound || kind == nullptr || !problems.empty()) return;  // a value may be missing
   const bool moves = *kind != "path" || motion.find("x") || motion.find("y") || motion.find("z");
   if (!moves)
     return problems.add(motion.place, motion.path + " is a path without places", "expected x, y or z");

@@ -59,7 +59,7 @@ TEST(KeyTable, GivesExamplesAndDefaultsThatFitTheirDeclaration) {
   KnownNames names;
   names.of_table["materials"] = {"molybdenum", "steel"};
   names.of_table["powders"] = {"mo"};
-  names.of_table["walls"] = {"die"};
+  names.of_table["walls"] = {"die", "gate"};
   names.of_table["motions"] = {"shaking"};
   names.of_table["sources"] = {"rain"};
   for (const Key& key : all_keys()) {

@@ -127,7 +127,7 @@ TEST(CaseProblems, ReportsKeysWithoutMeaningWhereTheyStand) {
                    "duration",
                    {"no meaning where until is \"cycles\"", "it counts where until is \"time\""}});
   expect_reported(
-      {"point = ", "radius = \"1 mm\"\npoint = ", "radius", {"walls.floor.radius", "shape is \"cylinder\""}});
+      {"point = ", "radius = \"1 mm\"\npoint = ", "radius", {"walls.floor.radius", "\"cylinder\", \"cone\" or \"sphere\""}});
 }
 
 TEST(CaseProblems, ReportsNamesOfNothingWithTheNearest) {
@@ -175,7 +175,7 @@ TEST(CaseProblems, ReportsWhatDoesNotFitTogether) {
   expect_reported({"[1, 3, 1.5]", "[1, 3]", "[1, 3]", {"one share for each diameter"}});
   expect_reported(
       {"open = [\"+z\"]", "open = [\"top\"]", "\"top\"]\nmaterial", {"a box has no side \"top\""}});
-  expect_reported({"die = \"die\"", "die = \"floor\"", "\"floor\"", {"is a plane and has no inside"}});
+  expect_reported({"die = \"die\"", "die = \"floor\"", "\"floor\"", {"is a plane, whose inside is not known"}});
   expect_reported({"die = \"die\"\n", "", "measures]", {"measures.die is missing", "\"die\" or \"tube\""}});
   expect_reported({"powder = \"fine\"\n", "", "pack]\nkind", {"more than one powder"}});
   expect_reported({"motions = [\"shaking\"]\n", "", "\"cycles\"", {"waits for cycles and has no motion"}});

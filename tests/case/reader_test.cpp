@@ -39,7 +39,7 @@ TEST(CaseReader, ReadsAMinimalCaseIntoSiUnits) {
 TEST(CaseReader, GivesWhatIsNotStatedItsDefault) {
   const Case read = read_case_text(minimal_case, "die.toml");
   EXPECT_EQ(read.seed, 1u);
-  EXPECT_EQ(read.gravity, (Vec3{0, 0, -9.81}));
+  EXPECT_EQ(read.body_force.gravity, (Vec3{0, 0, -9.81}));
   EXPECT_TRUE(read.domain.escape_is_error);
   EXPECT_FALSE(read.domain.periodic[0]);
   EXPECT_EQ(read.materials[0].surface_energy, 0.0);
@@ -61,7 +61,7 @@ TEST(CaseReader, ReadsMaterialsPowdersAndContactOfAFullCase) {
   EXPECT_EQ(read.seed, 7u);
   EXPECT_TRUE(read.domain.periodic[0] && read.domain.periodic[1] && !read.domain.periodic[2]);
   EXPECT_FALSE(read.domain.escape_is_error);
-  EXPECT_EQ(read.gravity, (Vec3{0, 1, -9.81}));
+  EXPECT_EQ(read.body_force.gravity, (Vec3{0, 1, -9.81}));
   ASSERT_EQ(read.materials.size(), 2u);  // in the order of the file
   EXPECT_EQ(read.materials[1].name, "steel");
   EXPECT_EQ(read.materials[0].surface_energy, 1e-4);
@@ -96,21 +96,22 @@ TEST(CaseReader, ReadsWallsAndMotionsOfAFullCase) {
   ASSERT_EQ(read.walls.size(), 3u);
   EXPECT_EQ(read.walls[0].shape, Wall::Shape::plane);
   EXPECT_EQ(read.walls[0].normal, (Vec3{0, 0, 1}));
-  EXPECT_FALSE(read.walls[0].motion);
+  EXPECT_TRUE(read.walls[0].motions.empty());
   EXPECT_EQ(read.walls[1].shape, Wall::Shape::box);
   EXPECT_EQ(read.walls[1].material, 1u);
   EXPECT_EQ(read.walls[1].region.max, (Vec3{2e-3, 2e-3, 4e-3}));
   EXPECT_EQ(read.walls[1].open, std::vector<std::string>{"+z"});
-  EXPECT_EQ(read.walls[1].motion, 0u);
+  EXPECT_EQ(read.walls[1].motions, std::vector<std::size_t>{0});
   EXPECT_EQ(read.walls[2].region.shape, Region::Shape::cylinder);
   EXPECT_EQ(read.walls[2].region.axis, (Vec3{0, 0, 1}));
   EXPECT_EQ(read.walls[2].region.radius, 1e-3);
   ASSERT_EQ(read.motions.size(), 1u);
   const double angular = 2 * std::numbers::pi * 10;
-  EXPECT_DOUBLE_EQ(read.motions[0].amplitude, 15 / (angular * angular));
-  EXPECT_EQ(read.motions[0].phase, 0.25);
-  EXPECT_DOUBLE_EQ(read.motions[0].direction.x, 0.6);
-  EXPECT_DOUBLE_EQ(read.motions[0].direction.z, 0.8);
+  const auto& sine = std::get<motions::Sine>(read.motions[0].motion.kind);
+  EXPECT_DOUBLE_EQ(sine.wave.amplitude, 15 / (angular * angular));
+  EXPECT_EQ(sine.wave.phase, 0.25);
+  EXPECT_DOUBLE_EQ(sine.direction.x, 0.6);
+  EXPECT_DOUBLE_EQ(sine.direction.z, 0.8);
 }
 
 TEST(CaseReader, ReadsSourcesPhasesAndChoicesOfAFullCase) {

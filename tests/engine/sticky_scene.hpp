@@ -28,7 +28,7 @@ inline Model sticky_model(double skin = 1.0) {
   m.walls.surfaces = box_surfaces("box", box, {"-y", "+y", "-z", "+z"});
   m.walls.surfaces.push_back(plane_surface("floor", {0, 0, 0}, {0, 0, 1}));
   m.walls.surfaces.back().body = 1;
-  m.motions = {{2e-4, 50.0, -0.25, {0, 0, 1}}};
+  m.motions = {{motions::Sine{{2e-4, 50.0, -0.25}, {0, 0, 1}}}};
   SourceModel rain;
   rain.name = "rain";
   rain.kind = SourceModel::Kind::rain;
