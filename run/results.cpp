@@ -192,7 +192,7 @@ void Results::log(const Simulation& simulation, const std::string& phase) {
              static_cast<std::int64_t>(state.parcels.size()),
              static_cast<std::int64_t>(count_of(simulation.pairs().touching)),
              static_cast<std::int64_t>(count_of(simulation.walls().touching)),
-             measures::energies(sight.bodies, case_.gravity).kinetic(), fastest, overlap, highest,
+             measures::energies(sight.bodies, simulation.field().gravity).kinetic(), fastest, overlap, highest,
              state.ledger.inserted_mass, static_cast<std::int64_t>(state.ledger.escaped)});
 }
 
