@@ -96,7 +96,9 @@ TEST(TriangulatedWall, ActsAsThePlaneOnASphereThrownOnIt) {
 
 TEST(TriangulatedWall, ActsAsTheCornerOnASphereThrownIntoIt) {
   const double s = 0.012;
-  expect_equal({{{0, 0, 0}, {s, 0, 0}, {0, s, 0}}, {{0, 0, 0}, {0, s, 0}, {0, 0, s}}, {{0, 0, 0}, {0, 0, s}, {s, 0, 0}}},
+  expect_equal({{{0, 0, 0}, {s, 0, 0}, {0, s, 0}},
+                {{0, 0, 0}, {0, s, 0}, {0, 0, s}},
+                {{0, 0, 0}, {0, 0, s}, {s, 0, 0}}},
                parcel(0, {2e-3, 2.3e-3, 1.7e-3}, radius, 2500, {-0.15, -0.12, -0.1}, {30, -50, 80}), 20000);
 }
 
@@ -129,8 +131,9 @@ TEST(TriangulatedWall, KeepsTheContactOfASphereOverAThousandTriangles) {
     Stuff stuff{2500.0, 5e6, 0.3, 0.7, 0.4, 0.05, 0.0};
     const double rest =
         laws::hertz_overlap_under(weight, radius, material_pair(stuff, stuff).effective_modulus);
-    const Difference d = compare(
-        shape, mesh, parcel(0, {-0.015, -0.012, radius - rest}, radius, 2500, {0.3, 0.25, 0}, {0, 0, 5}), 50000);
+    const Difference d =
+        compare(shape, mesh,
+                parcel(0, {-0.015, -0.012, radius - rest}, radius, 2500, {0.3, 0.25, 0}, {0, 0, 5}), 50000);
     EXPECT_LT(d.position, limit) << normal;
     EXPECT_LT(d.velocity, limit) << normal;
     EXPECT_LT(d.spin, limit) << normal;
@@ -160,8 +163,8 @@ TriangleMesh faceted_cone(double radius_low, double radius_high, double height, 
 double force_error(double radius_low, double radius_high, std::uint32_t count) {
   const double height = 0.02;
   Model shape = empty("hertz"), mesh = empty("hertz");
-  for (const Surface& s : frustum_surfaces("cone", {0, 0, 0}, {0, 0, 1}, radius_low, radius_high, height,
-                                           {"base", "top"}))
+  for (const Surface& s :
+       frustum_surfaces("cone", {0, 0, 0}, {0, 0, 1}, radius_low, radius_high, height, {"base", "top"}))
     add_wall(shape, s);
   add_mesh(mesh, faceted_cone(radius_low, radius_high, height, count));
   EXPECT_EQ(mesh.walls.surfaces.size(), 1u);
@@ -199,7 +202,8 @@ TEST(FacetedWall, ApproachesCylinderAndConeAsTheSquareOfItsFacets) {
 /// Where a sphere is after it has swung in a lying trough for a while.
 Vec3 after_swinging(const Model& m, int steps) {
   const double away = 8e-3 - radius;
-  Simulation s(m, state_of(m, {parcel(0, {away * std::sin(1.0), -away * std::cos(1.0), 0.01}, radius, 2500)}), 1);
+  Simulation s(m, state_of(m, {parcel(0, {away * std::sin(1.0), -away * std::cos(1.0), 0.01}, radius, 2500)}),
+               1);
   for (int k = 0; k < steps; ++k) s.step();
   return s.state().parcels.body[0].position;
 }
@@ -210,8 +214,7 @@ TEST(FacetedWall, SwingsASphereAsTheCylinderDoesThatItApproaches) {
     return m;
   };
   Model shape = prepare(empty("hertz"));
-  for (const Surface& s :
-       frustum_surfaces("trough", {0, 0, 0}, {0, 0, 1}, 8e-3, 8e-3, 0.02, {"base", "top"}))
+  for (const Surface& s : frustum_surfaces("trough", {0, 0, 0}, {0, 0, 1}, 8e-3, 8e-3, 0.02, {"base", "top"}))
     add_wall(shape, s);
   const Vec3 exact = after_swinging(shape, 40000);
   double error[3];

@@ -94,7 +94,8 @@ TEST(TorqueOnABody, IsTheParcelsLossOfAngularMomentum) {
   Model m = one_material(stuff, {}, {-1, -1, -1}, {1, 1, 1}, 2e-6, radius, radius);
   m.body_force.gravity = {};
   add_wall(m, plane_surface("floor", {0, 0, 0}, {0, 0, 1}));
-  Simulation s(m, state_of(m, {parcel(0, {3e-3, 1e-3, 0.99 * radius}, radius, 2500, {0.1, 0.2, 0}, {5, 60, 7})}), 1);
+  Simulation s(
+      m, state_of(m, {parcel(0, {3e-3, 1e-3, 0.99 * radius}, radius, 2500, {0.1, 0.2, 0}, {5, 60, 7})}), 1);
   const auto angular = [&] {
     const Parcel& p = s.state().parcels.body[0];
     return p.mass * cross(p.position, p.velocity) + inertia(p) * p.spin;
@@ -104,7 +105,8 @@ TEST(TorqueOnABody, IsTheParcelsLossOfAngularMomentum) {
     const NearWalls& w = s.walls();
     for (std::size_t slot = 0; slot < w.slots(); ++slot)
       if (w.touching[slot])
-        sum -= cross(s.state().parcels.body[w.parcel[slot]].position, w.load[slot].force) + w.load[slot].torque;
+        sum -=
+            cross(s.state().parcels.body[w.parcel[slot]].position, w.load[slot].force) + w.load[slot].torque;
     return sum;
   };
   s.step();
@@ -131,7 +133,8 @@ TEST(TurningBody, DragsASphereAlongAsATurntableDoes) {
   m.walls.bodies[0].motions = {0};
   m.motions = {{motions::Rotation{{0, 0, 0}, {0, 0, 1}, 1.0, 0.0}}};
   const double weight = 2500 * sphere_volume(radius) * 9.81;
-  const double rest = laws::hertz_overlap_under(weight, radius, material_pair(stuff, stuff).effective_modulus);
+  const double rest =
+      laws::hertz_overlap_under(weight, radius, material_pair(stuff, stuff).effective_modulus);
   // On a circle of radius r about the axis it moves at (2/7) Omega r and the table under it at Omega r: its
   // lowest point, which spin about x moves by omega_x R, must keep up with the table.
   const double turn = 2.0 * pi, rate = turn * 2.0 / 7.0, path = 0.05;
