@@ -128,10 +128,12 @@ std::string force_text(double newton) { return newton > 0 ? format_quantity(newt
 std::string speed_text(double speed) { return speed > 0 ? format_quantity(speed, dimension::speed) : "-"; }
 std::string number_text(double value) { return value > 0 ? fmt::format("{:.4g}", value) : "-"; }
 
-/// Half the way of a motion that swings to and fro, m.
-std::optional<double> amplitude_of(const motions::Motion& motion) {
-  if (const auto* sine = std::get_if<motions::Sine>(&motion.kind)) return sine->wave.amplitude;
-  if (const auto* wave = std::get_if<motions::SquareWave>(&motion.kind)) return wave->amplitude;
+/// Half the way of a motion that swings to and fro, m, and its direction.
+std::optional<std::pair<double, Vec3>> swing_of(const motions::Motion& motion) {
+  if (const auto* sine = std::get_if<motions::Sine>(&motion.kind))
+    return std::pair{sine->wave.amplitude, sine->direction};
+  if (const auto* wave = std::get_if<motions::SquareWave>(&motion.kind))
+    return std::pair{wave->amplitude, wave->direction};
   return {};
 }
 
@@ -155,12 +157,16 @@ std::string powder_lines(const Case& c) {
   return text;
 }
 
-/// The peaks of a motion: what a shaker or a drive has to give.
+}  // namespace
+
 std::string motion_line(const Motion& motion) {
   const motions::Peaks peaks = motions::peaks(motion.motion);
   std::string text = fmt::format("motion {}:", motion.name);
-  if (const auto amplitude = amplitude_of(motion.motion))
-    text += fmt::format(" amplitude {},", format_quantity(*amplitude, dimension::length));
+  if (const auto swing = swing_of(motion.motion)) {
+    const auto& [amplitude, direction] = *swing;
+    text += fmt::format(" amplitude {} along ({:.3g}, {:.3g}, {:.3g}),",
+                        format_quantity(amplitude, dimension::length), direction.x, direction.y, direction.z);
+  }
   if (const auto period = motions::cycle(motion.motion))
     text += fmt::format(" {},", format_quantity(1.0 / *period, dimension::frequency));
   if (peaks.speed > 0.0)
@@ -172,10 +178,8 @@ std::string motion_line(const Motion& motion) {
                         peaks.angular_acceleration);
   if (const auto end = motions::duration(motion.motion))
     text += fmt::format(", at rest after {}", format_quantity(*end, dimension::time));
-  return text + "\n";
+  return text;
 }
-
-}  // namespace
 
 Forecast forecast(const Case& c, const Assembly& a) {
   Forecast f;
@@ -197,6 +201,7 @@ Forecast forecast(const Case& c, const Assembly& a) {
   f.bed_stress = bed_stress(c, a.model.walls, mass);
   for (const PairProperties& p : a.pairs) f.pairs.push_back(forecast_pair(c, a, p, f.bed_stress));
   add_warnings(c, a, f);
+  f.warnings.insert(f.warnings.end(), a.warnings.begin(), a.warnings.end());
   return f;
 }
 
@@ -213,7 +218,7 @@ std::string check_report(const Case& c, const Assembly& a, const Forecast& f) {
   text += fmt::format("parcels {:.0f}, memory about {:.0f} MB, pressure under the bed about {}\n", f.parcels,
                       std::ceil(f.memory / 1e6), format_quantity(f.bed_stress, dimension::pressure));
   for (const std::string& note : a.notes) text += note + "\n";
-  for (const Motion& motion : c.motions) text += motion_line(motion);
+  for (const Motion& motion : c.motions) text += motion_line(motion) + "\n";
   text += fmt::format("\n{:<34} {:>12} {:>12} {:>10} {:>10} {:>12} {:>12} {:>9} {:>9}\n", "pair (d50)",
                       "pull-off", "pull-off", "Bond", "Bond", "sticking", "sticking", "overlap", "overlap");
   text += fmt::format("{:<34} {:>12} {:>12} {:>10} {:>10} {:>12} {:>12} {:>9} {:>9}\n", "", "real grain",

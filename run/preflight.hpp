@@ -27,6 +27,9 @@ struct Forecast {
   std::vector<std::string> warnings;
 };
 
+/// The peaks of a motion, in words: what a shaker or a drive has to give.
+std::string motion_line(const Motion& motion);
+
 Forecast forecast(const Case& c, const Assembly& assembly);
 
 /// What `pulvis check` prints.

@@ -343,6 +343,7 @@ void Results::write_result(const RunSummary& summary, const Simulation* simulati
                       {"walls", to_json(p.walls)}});
   json["phases"] = phases;
   json["measures"] = summary.phases.empty() ? Json::object() : to_json(summary.phases.back().measures);
+  json["notes"] = summary.notes;
   json["warnings"] = summary.warnings;
   if (ended) std::remove(folder_.file(".reserve").c_str());
   write_json(folder_.file("result.json"), json);

@@ -35,6 +35,7 @@ struct RunSummary {
   double looking_time = 0.0;   ///< s of it in measures, files and pictures
   std::uint64_t particle_steps = 0;
   std::vector<PhaseRecord> phases;
+  std::vector<std::string> notes;  ///< on meshes and motions
   std::vector<std::string> warnings;
 };
 

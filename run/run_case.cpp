@@ -290,6 +290,8 @@ Exit run_case(const RunRequest& request) {
   summary.reason = "the run has not ended, or it was killed";
   results.write_result(summary, nullptr, false);
   summary.exit = Exit::ok;
+  summary.notes = assembly.notes;
+  for (const Motion& motion : c.motions) summary.notes.push_back(motion_line(motion));
   for (const auto& warning : forecast(c, assembly).warnings) add_warning(summary, warning);
 
   std::optional<Runner> runner;
