@@ -134,12 +134,24 @@ bool FacetedWall::passed(std::uint32_t triangle, const Vec3& from, const Vec3& t
   const Facet& facet = facet_[triangle];
   const Vec3& first = mesh_.corner(triangle, 0);
   if ((dot(from - first, facet.normal) > 0.0) == (dot(to - first, facet.normal) > 0.0)) return false;
-  // On which side of each edge the way passes: the sign flips exactly when an edge is run the other way.
+  // Seen along the way the corners lie in a plane, with the way in its origin. A corner has the same place
+  // for all triangles that share it, and an edge's sign flips exactly when it is run the other way: so no way
+  // slips through between triangles (S. Woop, C. Benthin, I. Wald, J. Comput. Graph. Tech. 2 (2013) 65).
   const Vec3 way = to - from;
+  const int z = magnitude(way.x) > magnitude(way.y) ? (magnitude(way.x) > magnitude(way.z) ? 0 : 2)
+                                                    : (magnitude(way.y) > magnitude(way.z) ? 1 : 2);
+  const int x = (z + 1) % 3, y = (z + 2) % 3;
+  const double shear_x = way[x] / way[z], shear_y = way[y] / way[z];
+  double px[3], py[3];
+  for (int k = 0; k < 3; ++k) {
+    const Vec3 corner = mesh_.corner(triangle, k) - from;
+    px[k] = corner[x] - shear_x * corner[z];
+    py[k] = corner[y] - shear_y * corner[z];
+  }
   bool left = true, right = true;
   for (int k = 0; k < 3; ++k) {
-    const Vec3 a = mesh_.corner(triangle, k) - from, b = mesh_.corner(triangle, (k + 1) % 3) - from;
-    const double side = dot(cross(a, b), way);
+    const int next = (k + 1) % 3;
+    const double side = px[k] * py[next] - py[k] * px[next];
     left = left && side >= 0.0;
     right = right && side <= 0.0;
   }

@@ -29,8 +29,7 @@ TEST(MovingBody, StaysWhereItWasStoppedAndGoesOnFromThere) {
   EXPECT_EQ(again.pose(0).now.shift, there);
   again.start_motion(0);
   again.step();
-  EXPECT_NEAR(again.pose(0).now.shift.z, there.z + 1e-2 * std::sin(6.283185307179586 * 2.0 * 0.001),
-              1e-15);
+  EXPECT_NEAR(again.pose(0).now.shift.z, there.z + 1e-2 * std::sin(6.283185307179586 * 2.0 * 0.001), 1e-15);
 }
 
 }  // namespace

@@ -126,6 +126,41 @@ TEST(NearestPoint, OfATube) {
   }
 }
 
+TEST(NearestPoint, OfATruncatedCone) {
+  for (std::uint64_t k = 0; k < 200; ++k) {
+    Draw draw(k, 65);
+    const Frame f(draw);
+    const double low = draw.between(0.0, 2.0), high = draw.between(0.0, 2.0), height = draw.between(0.2, 3.0);
+    const Surface s = frustum_surfaces("c", draw.vector(1.0), f.w, low, high, height, {}).front();
+    const Vec3 p = s.centre + draw.vector(4.0);
+    const double seam = std::atan2(dot(p - s.centre, f.v), dot(p - s.centre, f.u)) + 0.5 * two_pi;
+    expect_nearest(s, p, [&](double a, double b) {
+      return s.centre + (a * height) * f.w +
+             (low + a * (high - low)) *
+                 (std::cos(seam + two_pi * b) * f.u + std::sin(seam + two_pi * b) * f.v);
+    });
+  }
+}
+
+TEST(NearestPoint, OfASphereAndARing) {
+  for (std::uint64_t k = 0; k < 200; ++k) {
+    Draw draw(k, 66);
+    const Surface ball = sphere_surface("s", draw.vector(1.0), draw.between(0.5, 2.0));
+    const Vec3 p = ball.centre + draw.vector(4.0);
+    const NearestPoint on_ball = nearest_point(ball, p);
+    EXPECT_NEAR(norm(on_ball.point - ball.centre), ball.radius, 1e-14);
+    EXPECT_NEAR(norm(on_ball.point - p), std::fabs(norm(p - ball.centre) - ball.radius), 1e-14);
+    const Frame f(draw);
+    const Surface ring = disc_surface("r", draw.vector(1.0), f.w, 2.0, 0.8);
+    const Vec3 q = ring.centre + draw.vector(4.0);
+    const double seam = std::atan2(dot(q - ring.centre, f.v), dot(q - ring.centre, f.u)) + 0.5 * two_pi;
+    expect_nearest(ring, q, [&](double a, double b) {
+      return ring.centre +
+             (0.8 + 1.2 * a) * (std::cos(seam + two_pi * b) * f.u + std::sin(seam + two_pi * b) * f.v);
+    });
+  }
+}
+
 TEST(NearestPoint, OfAPlane) {
   for (std::uint64_t k = 0; k < 200; ++k) {
     Draw draw(k, 64);
