@@ -86,9 +86,10 @@ void Simulation::insert_due_parcels() {
     SourceState& source = state_.sources[k];
     if (!source.open || source.done) continue;
     // Each source sees what the ones before it gave in this step.
-    for (Parcel& p : draw_parcels(model_.sources[k], source, model_.seed, static_cast<std::uint32_t>(k),
-                                  state_.step, model_.dt, state_.parcels, model_.domain,
-                                  [this](const Vec3&x, double r) { return clear_of_walls(x, r); })) {
+    for (Parcel& p : draw_parcels(
+             model_.sources[k], source, model_.seed, static_cast<std::uint32_t>(k), state_.step, model_.dt,
+             state_.parcels, model_.domain, [this](const Vec3&x, double r) { return clear_of_walls(x, r); },
+             most_threads_)) {
       p.id = state_.next_id++;
       state_.parcels.body.push_back(p);
       state_.parcels.load.push_back({p.mass * model_.gravity, {}});
