@@ -117,7 +117,7 @@ void Packing::find_places() {
   free_.clear();
   for (const auto& share : found) free_.insert(free_.end(), share.begin(), share.end());
   std::sort(free_.begin(), free_.end(), [](const Try& a, const Try& b) {
-    return std::tie(a.block, a.sphere, a.draw) < std::tie(b.block, b.sphere, b.draw);
+    return std::tie(a.turn, a.block, a.sphere) < std::tie(b.turn, b.block, b.sphere);
   });
 }
 
@@ -128,11 +128,11 @@ std::vector<Packing::Try> Packing::tries_along_space(std::size_t begin, std::siz
   std::vector<std::uint32_t> start(blocks_[0] * blocks_[1] * blocks_[2] + 1, 0);
   for (std::size_t t = begin; t < end; ++t) {
     const std::uint32_t k = window_[t / each_];
-    const auto draw = 1 + tried_[k] + static_cast<std::uint32_t>(t % each_);
+    const auto turn = static_cast<std::uint32_t>(t % each_);
     const double radius = 0.5 * diameters_[k];
-    const auto centre = places_.at(radius, dice_(first_number_ + k, draw));
+    const auto centre = places_.at(radius, dice_(first_number_ + k, 1 + tried_[k] + turn));
     if (!centre) continue;
-    drawn.push_back({*centre, radius, block_of(*centre), k, draw});
+    drawn.push_back({*centre, radius, turn, block_of(*centre), k});
     ++start[drawn.back().block + 1];
   }
   std::partial_sum(start.begin(), start.end(), start.begin());

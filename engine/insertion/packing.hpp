@@ -10,8 +10,8 @@ namespace pulvis {
 
 /// Finds places for all spheres of a pack, in rounds. In each, the largest spheres that have no place draw
 /// some, which are held against what lies there, in parallel; then those that are free are taken one after
-/// the other along space, unless one taken in the same round is in the way. Nothing of this depends on the
-/// number of threads.
+/// the other, unless one taken in the same round is in the way: the first try of each sphere, then the second,
+/// and so on, each along space. Nothing of this depends on the number of threads.
 class Packing {
  public:
   /// Places for spheres of these diameters, numbered from `first_number` on.
@@ -20,7 +20,7 @@ class Packing {
 
   /// False if no place was found for one of them in `hopeless` tries in a row.
   bool place_all();
-  static constexpr std::uint64_t hopeless = 50000;
+  static constexpr std::uint64_t hopeless = 500000;
 
   std::size_t placed() const { return placed_; }
   double solid() const { return solid_; }  ///< m^3 placed
@@ -32,7 +32,7 @@ class Packing {
   struct Try {
     Vec3 centre;
     double radius;
-    std::uint32_t block, sphere, draw;
+    std::uint32_t turn, block, sphere;  ///< turn: which of the sphere's tries in this round
   };
 
   void sort_by_size();

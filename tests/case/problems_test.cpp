@@ -205,6 +205,26 @@ TEST(CaseProblems, ReportsTablesThatAreNone) {
   expect("[materials]\n", "die.toml:1:2: error: materials is empty");
 }
 
+TEST(CaseProblems, ReportsSievesThatAreNone) {
+  const char* rate = "mass_rate = \"2 g/s\"\n";
+  expect_reported({rate,
+                   "mass_rate = \"2 g/s\"\nsieve_pitch = \"1 mm\"\n",
+                   "\"1 mm\"\nvelocity",
+                   {"sources.rain.sieve_opening is missing", "both sieve_pitch and sieve_opening"}});
+  expect_reported({rate,
+                   "mass_rate = \"2 g/s\"\nsieve_opening = \"1 mm\"\n",
+                   "\"1 mm\"\nvelocity",
+                   {"sources.rain.sieve_pitch is missing"}});
+  expect_reported({rate,
+                   "mass_rate = \"2 g/s\"\nsieve_pitch = \"1 mm\"\nsieve_opening = \"1.2 mm\"\n",
+                   "\"1.2 mm\"\nvelocity",
+                   {"sources.rain.sieve_opening is wider than the pitch", "at most 1 mm"}});
+  expect_reported({rate,
+                   "mass_rate = \"2 g/s\"\nsieve_pitch = \"1 g\"\nsieve_opening = \"1.2 mm\"\n",
+                   "\"1 g\"\nsieve",
+                   {"sources.rain.sieve_pitch is not a length"}});
+}
+
 TEST(CaseProblems, ReportsAllProblemsOfAFileInOneGo) {
   std::string text = minimal_case;
   text = with(text, "\"317 GPa\"", "\"317 GP\"");
