@@ -209,6 +209,8 @@ class Builder {
     if (section.find("count") != nullptr)
       result.target.count = static_cast<std::uint64_t>(section.integer("count"));
     result.mass_rate = number_or_zero(section, "mass_rate");
+    result.sieve_pitch = section.optional_number("sieve_pitch");
+    result.sieve_opening = section.optional_number("sieve_opening");
     return result;
   }
 

@@ -114,11 +114,13 @@ struct Source {
   std::string name;
   Kind kind = Kind::pack;
   std::size_t powder = 0;  ///< index into Case::powders
-  Region region;           ///< pack: where centres and whole spheres lie; rain: the box they appear in
+  Region region;           ///< pack, rain: where parcels appear, as a whole
   Target target;           ///< pack, rain
   double mass_rate = 0.0;  ///< kg/s; rain
-  Vec3 velocity;           ///< m/s at insertion; pack, rain
-  std::string path;        ///< file: a LIGGGHTS/LAMMPS text dump; relative to the case file, made absolute
+  /// m; rain: between openings of a sieve, and their edge; both or none
+  std::optional<double> sieve_pitch, sieve_opening;
+  Vec3 velocity;     ///< m/s at insertion; pack, rain
+  std::string path;  ///< file: a LIGGGHTS/LAMMPS text dump; relative to the case file, made absolute
 };
 
 /// One phase of the procedure.

@@ -37,6 +37,25 @@ void append_sources(Keys& keys) {
            .range = positive,
            .only_when = rain,
            .help = "mass that falls in per second"},
+          {.pattern = "sources.*.sieve_pitch",
+           .kind = quantity,
+           .dimension = dimension::length,
+           .example = R"("1 mm")",
+           .when_unset = "no sieve",
+           .range = positive,
+           .only_when = rain,
+           .help = "distance between the middles of neighbouring openings of a sieve, on a square lattice "
+                   "with an opening in the middle; it lies across the axis (x, y or z) along which the "
+                   "velocity points most (z if there is none), in a cylinder across that one's axis"},
+          {.pattern = "sources.*.sieve_opening",
+           .kind = quantity,
+           .dimension = dimension::length,
+           .example = R"("0.6 mm")",
+           .when_unset = "no sieve",
+           .range = positive,
+           .only_when = rain,
+           .help = "edge of the square openings of a sieve: parcels appear only where they lie over one as "
+                   "a whole; at least the largest parcel, and at most the pitch"},
           {.pattern = "sources.*.count",
            .kind = integer,
            .example = "20000",
@@ -78,7 +97,7 @@ void append_sources(Keys& keys) {
            .example = R"("box")",
            .standard = R"("box")",
            .choices = {"box", "cylinder"},
-           .help = "shape of the region; of a rain, a box"},
+           .help = "shape of the region"},
       });
   append_shape(keys, "sources.*.region");
 }

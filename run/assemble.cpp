@@ -10,11 +10,10 @@
 #include "run/bed_file.hpp"
 #include "run/build_walls.hpp"
 #include "run/problems.hpp"
+#include "run/source_checks.hpp"
 
 namespace pulvis {
 namespace {
-
-constexpr double densest_random_pack = 0.36;  // random sequential placement stops near 0.38
 
 constexpr double most_parcels = 2147483647.0;  // ids have 31 bits
 
@@ -63,30 +62,9 @@ ContactClasses contact_classes(const Case& c, const std::vector<Species>& specie
   return classes;
 }
 
-void check_region(const Case& c, const Source& source, const SizeSampler& sizes, Problems& problems) {
-  const Region& r = source.region;
-  const double narrowest = r.shape == Region::Shape::cylinder
-                               ? std::min(2.0 * r.radius, r.height)
-                               : std::min({r.max.x - r.min.x, r.max.y - r.min.y, r.max.z - r.min.z});
-  if (narrowest < sizes.largest())
-    problems.add(
-        fmt::format("sources.{}.region", source.name),
-        fmt::format(
-            "sources.{}.region is {} thin and cannot hold the largest parcel ({})\n  enlarge the region "
-            "or lower coarse_graining",
-            source.name, in_mm(narrowest), in_mm(sizes.largest())));
-  if (source.kind != Source::Kind::pack) return;
-  const double parcels = expected_parcels(c, source);
-  const double solid = parcels * sphere_volume(0.5) * sizes.mean_cube() / volume(r);
-  if (solid > densest_random_pack)
-    problems.add(
-        "sources." + source.name,
-        fmt::format(
-            "sources.{} asks for {:.0f} parcels, {:.0f} % of its region; a random pack without overlap "
-            "holds at most about {:.0f} % ({:.0f} parcels)\n  ask for less, enlarge the region, or let "
-            "it rain",
-            source.name, parcels, 100 * solid, 100 * densest_random_pack,
-            parcels * densest_random_pack / solid));
+void check_source(const Case& c, const Source& source, const SourceModel& model, Problems& problems) {
+  for (const auto& [key, message] : source_problems(source, model, expected_parcels(c, source)))
+    problems.add("sources." + source.name + (key.empty() ? "" : "." + key), message);
 }
 
 void check_count(const Case& c, Problems& problems) {
@@ -195,6 +173,7 @@ SourceModel source_model(const Case& c, const Source& source, std::vector<Parcel
   m.region = source.region;
   m.velocity = source.velocity;
   m.rate = source.mass_rate;
+  if (source.sieve_pitch) m.sieve = Sieve{*source.sieve_pitch, *source.sieve_opening};
   m.target_count = source.target.count;
   m.target_mass = source.target.mass;
   switch (source.kind) {
@@ -258,7 +237,7 @@ Assembly assemble(const Case& c) {
   for (std::size_t k = 0; k < c.sources.size(); ++k) {
     m.sources.push_back(source_model(c, c.sources[k], beds[k].parcels));
     if (c.sources[k].kind == Source::Kind::file) continue;
-    check_region(c, c.sources[k], *m.sources.back().sizes, problems);
+    check_source(c, c.sources[k], m.sources.back(), problems);
     check_walls_in_region(c.sources[k], m.walls, m.domain, problems);
   }
   check_wall_speeds(c, m.walls, m.dt, m.smallest_radius, problems);

@@ -11,6 +11,7 @@
 #include "engine/laws/estimates.hpp"
 #include "run/body_pull.hpp"
 #include "run/build_walls.hpp"
+#include "run/source_checks.hpp"
 
 namespace pulvis {
 namespace {
@@ -99,6 +100,9 @@ void add_warnings(const Case& c, const Assembly& a, Forecast& f) {
         fmt::format("{:.0f} parcels need about {:.0f} MB of memory; this machine has {:.0f} MB: raise "
                     "coarse_graining",
                     f.parcels, std::ceil(f.memory / 1e6), std::floor(there / 1e6)));
+  for (const SourceModel& source : a.model.sources)
+    if (const std::string warning = rain_warning(source, strongest_pull(c)); !warning.empty())
+      f.warnings.push_back(warning);
   for (const PairForecast& p : f.pairs) {
     if (p.resting_overlap > most_resting_overlap)
       f.warnings.push_back(

@@ -4,156 +4,82 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+#include <utility>
 
 #include "engine/base/failure.hpp"
-#include "engine/base/random.hpp"
-#include "engine/insertion/overlap_grid.hpp"
-#include "engine/math/functions.hpp"
+#include "engine/base/parallel.hpp"
+#include "engine/insertion/drawing.hpp"
 
 namespace pulvis {
-namespace {
 
-constexpr std::uint32_t pack_attempts =
-    20000;  // per parcel; packs of equal spheres give up near a solid fraction of 0.36
-constexpr std::uint32_t rain_attempts = 100;  // per parcel and look; what finds no place waits for the next
+double mass_of(const SourceModel& m, double diameter) { return m.density * sphere_volume(0.5 * diameter); }
 
-/// Random numbers of one parcel of one source.
-struct Dice {
-  std::uint64_t seed;
-  std::uint32_t stream;
-  std::uint64_t number;
-  double operator()(std::uint32_t draw) const { return uniform(seed, stream, number, draw); }
-};
-
-double mass_of(double diameter, double density) { return density * sphere_volume(0.5 * diameter); }
-
-/// Diameter of the next parcel, or 0 if the target is met. A mass is met to within half the smallest parcel:
-/// near the end parcels that are too heavy are drawn
-/// again, and after many draws the smallest fill the rest.
-double next_diameter(const SourceModel& m, const SourceState& state, std::uint64_t seed,
-                     std::uint32_t stream) {
+double next_diameter(const SourceModel& m, const SourceState& state, const Dice& dice) {
   if (m.target_count && state.count >= *m.target_count) return 0.0;
-  const double drawn = m.sizes->diameter(seed, stream, state.count);
+  const double drawn = m.sizes->diameter(dice.seed, dice.stream, state.count);
   if (!m.target_mass) return drawn;
-  const double remaining = *m.target_mass - state.mass,
-               half_smallest = 0.5 * mass_of(m.sizes->smallest(), m.density);
+  const double remaining = *m.target_mass - state.mass, half_smallest = 0.5 * mass_of(m, m.sizes->smallest());
   if (remaining < half_smallest) return 0.0;
   constexpr std::uint32_t redraws = 64, other_streams = 0x10000;
   double diameter = drawn;
   for (std::uint32_t k = 1; k <= redraws; ++k) {
-    if (mass_of(diameter, m.density) <= remaining + half_smallest) return diameter;
-    diameter = m.sizes->diameter(seed, stream + k * other_streams, state.count);
+    if (mass_of(m, diameter) <= remaining + half_smallest) return diameter;
+    diameter = m.sizes->diameter(dice.seed, dice.stream + k * other_streams, state.count);
   }
   return m.sizes->smallest();
 }
 
-/// A centre so that the whole sphere lies in the region. Draws 3 numbers from `first_draw`.
-Vec3 place_in(const Region& r, double radius, const Dice& dice, std::uint32_t first_draw) {
-  const double a = dice(first_draw), b = dice(first_draw + 1), c = dice(first_draw + 2);
-  if (r.shape == Region::Shape::box) {
-    const Vec3 room = r.max - r.min - Vec3{2 * radius, 2 * radius, 2 * radius};
-    return r.min + Vec3{radius, radius, radius} +
-           Vec3{a * greatest(room.x, 0.0), b * greatest(room.y, 0.0), c * greatest(room.z, 0.0)};
-  }
-  const Vec3 u = perpendicular(r.axis), v = cross(r.axis, u);
-  const double distance = greatest(r.radius - radius, 0.0) * root(a);
-  const double along = radius + c * greatest(r.height - 2 * radius, 0.0);
-  return r.base + along * r.axis + (distance * cosine_of_cycles(b)) * u + (distance * sine_of_cycles(b)) * v;
+Parcel parcel_at(const SourceModel& m, const Vec3& centre, double diameter) {
+  Parcel p;
+  p.position = centre;
+  p.radius = 0.5 * diameter;
+  p.velocity = m.velocity;
+  p.mass = mass_of(m, diameter);
+  p.species = m.species;
+  return p;
 }
 
-void bounds_of(const Region& r, Vec3& low, Vec3& high) {
-  if (r.shape == Region::Shape::box) {
-    low = r.min;
-    high = r.max;
-    return;
-  }
-  const Vec3 end = r.base + r.height * r.axis;
+namespace {
+
+/// Whether a sphere, or one of its images across periodic boundaries, reaches into [low, high].
+bool reaches_into(const Parcel& p, const Vec3& low, const Vec3& high, const Box& domain) {
   for (int axis = 0; axis < 3; ++axis) {
-    low[axis] = least(r.base[axis], end[axis]) - r.radius;
-    high[axis] = greatest(r.base[axis], end[axis]) + r.radius;
+    const double x = p.position[axis], from = low[axis] - p.radius, to = high[axis] + p.radius;
+    const double length = domain.periodic[axis] ? domain.max[axis] - domain.min[axis] : 0.0;
+    const auto in = [&](double shifted) { return shifted > from && shifted < to; };
+    if (!in(x) && !in(x + length) && !in(x - length)) return false;
   }
+  return true;
 }
 
-OverlapGrid grid_of_present(const SourceModel& m, const Parcels& present, const Box& domain) {
-  Vec3 low, high;
-  bounds_of(m.region, low, high);
+/// Indices of the parcels that reach into the region: of a million in a die, the few below a rain.
+std::vector<std::uint32_t> reaching_into(const Places& places, const Surroundings& around) {
+  constexpr std::size_t worth_a_thread = 100000;  // a tenth of a millisecond
+  const int threads = std::min(around.threads, static_cast<int>(1 + around.present.size() / worth_a_thread));
+  std::vector<std::vector<std::uint32_t>> found(static_cast<std::size_t>(threads));
+  parallel_shares(around.present.size(), threads, [&](std::size_t begin, std::size_t end, int thread) {
+    for (std::size_t i = begin; i < end; ++i)
+      if (reaches_into(around.present.body[i], places.low(), places.high(), around.domain))
+        found[static_cast<std::size_t>(thread)].push_back(static_cast<std::uint32_t>(i));
+  });
+  for (std::size_t t = 1; t < found.size(); ++t)
+    found[0].insert(found[0].end(), found[t].begin(), found[t].end());
+  return std::move(found[0]);
+}
+
+}  // namespace
+
+OverlapGrid grid_of_present(const SourceModel& m, const Places& places, const Surroundings& around,
+                            std::size_t fresh) {
+  const std::vector<std::uint32_t> near = reaching_into(places, around);
   double largest = 0.5 * m.sizes->largest();
-  for (const Parcel& p : present.body) largest = greatest(largest, p.radius);
-  OverlapGrid grid(low, high, largest, domain, present.size() + m.target_count.value_or(0));
-  for (const Parcel& p : present.body) grid.add(p.position, p.radius);
+  for (const std::uint32_t i : near) largest = greatest(largest, around.present.body[i].radius);
+  OverlapGrid grid(places.low(), places.high(), largest, around.domain, near.size() + fresh);
+  for (const std::uint32_t i : near) grid.add(around.present.body[i].position, around.present.body[i].radius);
   return grid;
 }
 
-/// Tries to place one parcel of this diameter; true if it found room.
-bool place(const SourceModel& m, SourceState& state, double diameter, const Dice& dice,
-           std::uint32_t attempts, std::uint32_t first_draw, const ClearOfWalls& clear, OverlapGrid& grid,
-           std::vector<Parcel>& placed) {
-  const double radius = 0.5 * diameter;
-  for (std::uint32_t k = 0; k < attempts; ++k) {
-    const Vec3 centre = place_in(m.region, radius, dice, first_draw + 3 * k);
-    if (grid.overlaps(centre, radius) || !clear(centre, radius)) continue;
-    grid.add(centre, radius);
-    Parcel p;
-    p.position = centre;
-    p.radius = radius;
-    p.velocity = m.velocity;
-    p.mass = mass_of(diameter, m.density);
-    p.species = m.species;
-    placed.push_back(p);
-    ++state.count;
-    state.mass += p.mass;
-    return true;
-  }
-  return false;
-}
-
-std::vector<Parcel> draw_pack(const SourceModel& m, SourceState& state, std::uint64_t seed,
-                              std::uint32_t stream, const Parcels& present, const Box& domain,
-                              const ClearOfWalls& clear) {
-  OverlapGrid grid = grid_of_present(m, present, domain);
-  std::vector<Parcel> placed;
-  double solid = 0.0;
-  while (const double diameter = next_diameter(m, state, seed, stream)) {
-    if (!place(m, state, diameter, {seed, stream, state.count}, pack_attempts, 1, clear, grid, placed))
-      throw Failure(
-          Exit::bad_case,
-          fmt::format("source {}: the region is too full: {} parcels fill {:.1f} % of it and the next "
-                      "finds no place in {} attempts\n  ask for at most about {} parcels ({:.4g} kg), "
-                      "enlarge the region, or let it rain",
-                      m.name, state.count, 100.0 * solid / volume(m.region), pack_attempts,
-                      static_cast<std::uint64_t>(0.95 * static_cast<double>(state.count)),
-                      0.95 * state.mass));
-    solid += sphere_volume(placed.back().radius);
-  }
-  state.done = true;
-  return placed;
-}
-
-std::vector<Parcel> draw_rain(const SourceModel& m, SourceState& state, std::uint64_t seed,
-                              std::uint32_t stream, std::uint64_t step, double dt, const Parcels& present,
-                              const Box& domain, const ClearOfWalls& clear) {
-  const std::uint64_t interval = rain_interval(m, dt), since = step - state.opened;
-  if (since % interval != 0) return {};
-  const double due = state.mass_at_opening + m.rate * static_cast<double>(since + interval) * dt;
-  double diameter = next_diameter(m, state, seed, stream);
-  state.done = diameter == 0.0;
-  if (state.done || state.mass + 0.5 * mass_of(diameter, m.density) > due) return {};
-
-  OverlapGrid grid = grid_of_present(m, present, domain);
-  std::vector<Parcel> placed;
-  // Every look draws from a place of its own in the sequence, so that a parcel that found no room is not
-  // offered the same places again. 2^32 draws last for over ten million looks.
-  const auto first_draw = static_cast<std::uint32_t>(1 + 3 * rain_attempts * (since / interval));
-  while (diameter > 0.0 && state.mass + 0.5 * mass_of(diameter, m.density) <= due) {
-    if (!place(m, state, diameter, {seed, stream, state.count}, rain_attempts, first_draw, clear, grid,
-               placed))
-      break;
-    diameter = next_diameter(m, state, seed, stream);
-  }
-  state.done = diameter == 0.0;
-  return placed;
-}
+namespace {
 
 /// A region must have room for the largest parcel, whole.
 void require_room(const SourceModel& m) {
@@ -164,33 +90,30 @@ void require_room(const SourceModel& m) {
                   fmt::format("source {}: its region is {:.4g} m wide where it is narrowest, less "
                               "than the largest parcel, {:.4g} m\n  enlarge the region",
                               m.name, room, largest));
+  if (m.sieve && (m.sieve->opening < largest * (1.0 - 1e-12) || m.sieve->pitch < m.sieve->opening))
+    throw Failure(Exit::bad_case,
+                  fmt::format("source {}: its sieve has openings of {:.4g} m every {:.4g} m; the largest "
+                              "parcel is {:.4g} m\n  make openings at least as wide as the largest parcel, "
+                              "and no wider than their pitch",
+                              m.name, m.sieve->opening, m.sieve->pitch, largest));
 }
 
 }  // namespace
 
-std::uint64_t rain_interval(const SourceModel& m, double dt) {
-  // The time in which a parcel makes room for the next: one diameter's way.
-  const double diameter = m.sizes->largest();
-  const double speed = greatest(norm(m.velocity), root(9.81 * diameter));
-  return static_cast<std::uint64_t>(std::clamp(diameter / (speed * dt), 1.0, 1e6));
-}
-
 std::vector<Parcel> draw_parcels(const SourceModel& model, SourceState& state, std::uint64_t seed,
                                  std::uint32_t stream, std::uint64_t step, double dt, const Parcels& present,
-                                 const Box& domain, const ClearOfWalls& clear) {
-  if (model.kind != SourceModel::Kind::list) require_room(model);
-  switch (model.kind) {
-    case SourceModel::Kind::pack:
-      return draw_pack(model, state, seed, stream, present, domain, clear);
-    case SourceModel::Kind::rain:
-      return draw_rain(model, state, seed, stream, step, dt, present, domain, clear);
-    case SourceModel::Kind::list:
-      break;
+                                 const Box& domain, const ClearOfWalls& clear, int threads) {
+  if (model.kind == SourceModel::Kind::list) {
+    state.done = true;
+    state.count = model.list.size();
+    for (const Parcel& p : model.list) state.mass += p.mass;
+    return model.list;
   }
-  state.done = true;
-  state.count = model.list.size();
-  for (const Parcel& p : model.list) state.mass += p.mass;
-  return model.list;
+  require_room(model);
+  const Dice dice{seed, stream};
+  const Surroundings around{present, domain, clear, threads < 1 ? 1 : threads};
+  if (model.kind == SourceModel::Kind::pack) return draw_pack(model, state, dice, around);
+  return draw_rain(model, state, dice, step, dt, around);
 }
 
 }  // namespace pulvis

@@ -60,8 +60,8 @@ int Simulation::threads() const {
 
 void Simulation::step() {
   insert_due_parcels();
-  const StepNotice notice =
-      begin_step(state_.parcels, model_.domain, field_towards(0.5), model_.dt, reference_, margin_, threads());
+  const StepNotice notice = begin_step(state_.parcels, model_.domain, field_towards(0.5), model_.dt,
+                                       reference_, margin_, threads());
   move_bodies_to(state_.step + 1);
   if (notice.outside || notice.too_fast) take_out_escaped(notice);
   if (notice.stale || a_body_left_its_margin()) rebuild();
@@ -90,9 +90,10 @@ void Simulation::insert_due_parcels() {
     SourceState& source = state_.sources[k];
     if (!source.open || source.done) continue;
     // Each source sees what the ones before it gave in this step.
-    for (Parcel& p : draw_parcels(model_.sources[k], source, model_.seed, static_cast<std::uint32_t>(k),
-                                  state_.step, model_.dt, state_.parcels, model_.domain,
-                                  [this](const Vec3&x, double r) { return clear_of_walls(x, r); })) {
+    for (Parcel& p : draw_parcels(
+             model_.sources[k], source, model_.seed, static_cast<std::uint32_t>(k), state_.step, model_.dt,
+             state_.parcels, model_.domain, [this](const Vec3&x, double r) { return clear_of_walls(x, r); },
+             most_threads_)) {
       p.id = state_.next_id++;
       state_.parcels.body.push_back(p);
       state_.parcels.load.push_back({p.mass * field().at(p.position), {}});

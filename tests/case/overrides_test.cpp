@@ -21,7 +21,8 @@ TEST(Overrides, ReplaceValuesWithAndWithoutInnerQuotes) {
   EXPECT_EQ(with_set("contact.normal", "hertz").contact.normal, "hertz");
   EXPECT_EQ(with_set("output.picture", "true").output.picture, true);
   EXPECT_EQ(with_set("title", "1979").title, "1979");
-  EXPECT_EQ(with_set("gravity.acceleration", R"(["0 m/s^2", "0 m/s^2", "1 m/s^2"])").body_force.gravity.z, 1.0);
+  EXPECT_EQ(with_set("gravity.acceleration", R"(["0 m/s^2", "0 m/s^2", "1 m/s^2"])").body_force.gravity.z,
+            1.0);
   EXPECT_EQ(with_set("gravity.acceleration[2]", "1 m/s^2").body_force.gravity.z, 1.0);
 }
 

@@ -126,8 +126,10 @@ TEST(CaseProblems, ReportsKeysWithoutMeaningWhereTheyStand) {
                    "cycles = 5\nduration = \"1 s\"",
                    "duration",
                    {"no meaning where until is \"cycles\"", "it counts where until is \"time\""}});
-  expect_reported(
-      {"point = ", "radius = \"1 mm\"\npoint = ", "radius", {"walls.floor.radius", "\"cylinder\", \"cone\" or \"sphere\""}});
+  expect_reported({"point = ",
+                   "radius = \"1 mm\"\npoint = ",
+                   "radius",
+                   {"walls.floor.radius", "\"cylinder\", \"cone\" or \"sphere\""}});
 }
 
 TEST(CaseProblems, ReportsNamesOfNothingWithTheNearest) {
@@ -175,7 +177,8 @@ TEST(CaseProblems, ReportsWhatDoesNotFitTogether) {
   expect_reported({"[1, 3, 1.5]", "[1, 3]", "[1, 3]", {"one share for each diameter"}});
   expect_reported(
       {"open = [\"+z\"]", "open = [\"top\"]", "\"top\"]\nmaterial", {"a box has no side \"top\""}});
-  expect_reported({"die = \"die\"", "die = \"floor\"", "\"floor\"", {"is a plane, whose inside is not known"}});
+  expect_reported(
+      {"die = \"die\"", "die = \"floor\"", "\"floor\"", {"is a plane, whose inside is not known"}});
   expect_reported({"die = \"die\"\n", "", "measures]", {"measures.die is missing", "\"die\" or \"tube\""}});
   expect_reported({"powder = \"fine\"\n", "", "pack]\nkind", {"more than one powder"}});
   expect_reported({"motions = [\"shaking\"]\n", "", "\"cycles\"", {"waits for cycles and has no motion"}});
@@ -203,6 +206,26 @@ TEST(CaseProblems, ReportsTablesThatAreNone) {
   expect("phases = [1]\n", "die.toml:1:11: error: phases[0] is a whole number");
   expect("[materials.\"a b\"]\n", "is no name");
   expect("[materials]\n", "die.toml:1:2: error: materials is empty");
+}
+
+TEST(CaseProblems, ReportsSievesThatAreNone) {
+  const char* rate = "mass_rate = \"2 g/s\"\n";
+  expect_reported({rate,
+                   "mass_rate = \"2 g/s\"\nsieve_pitch = \"1 mm\"\n",
+                   "\"1 mm\"\nvelocity",
+                   {"sources.rain.sieve_opening is missing", "both sieve_pitch and sieve_opening"}});
+  expect_reported({rate,
+                   "mass_rate = \"2 g/s\"\nsieve_opening = \"1 mm\"\n",
+                   "\"1 mm\"\nvelocity",
+                   {"sources.rain.sieve_pitch is missing"}});
+  expect_reported({rate,
+                   "mass_rate = \"2 g/s\"\nsieve_pitch = \"1 mm\"\nsieve_opening = \"1.2 mm\"\n",
+                   "\"1.2 mm\"\nvelocity",
+                   {"sources.rain.sieve_opening is wider than the pitch", "at most 1 mm"}});
+  expect_reported({rate,
+                   "mass_rate = \"2 g/s\"\nsieve_pitch = \"1 g\"\nsieve_opening = \"1.2 mm\"\n",
+                   "\"1 g\"\nsieve",
+                   {"sources.rain.sieve_pitch is not a length"}});
 }
 
 TEST(CaseProblems, ReportsAllProblemsOfAFileInOneGo) {

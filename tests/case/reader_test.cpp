@@ -120,6 +120,7 @@ TEST(CaseReader, ReadsSourcesPhasesAndChoicesOfAFullCase) {
   EXPECT_EQ(read.sources[0].kind, Source::Kind::rain);
   EXPECT_EQ(read.sources[0].mass_rate, 2e-3);
   EXPECT_EQ(read.sources[0].target.mass, 20e-6);
+  EXPECT_FALSE(read.sources[0].sieve_pitch || read.sources[0].sieve_opening);
   EXPECT_EQ(read.sources[0].velocity.z, -0.2);
   EXPECT_EQ(read.sources[1].powder, 1u);
   EXPECT_EQ(read.sources[1].target.count, 1000u);
@@ -140,6 +141,19 @@ TEST(CaseReader, ReadsSourcesPhasesAndChoicesOfAFullCase) {
   EXPECT_EQ(read.measures.cell_diameters, 3.5);
   EXPECT_EQ(read.output.interval, 20e-3);
   EXPECT_FALSE(read.output.picture);
+}
+
+TEST(CaseReader, ReadsARainOutOfACylinderThroughASieve) {
+  const std::string box =
+      R"({ shape = "box", min = ["0 mm", "0 mm", "6 mm"], max = ["2 mm", "2 mm", "7 mm"] })";
+  const std::string tube =
+      R"({ shape = "cylinder", base = ["1 mm", "1 mm", "6 mm"], radius = "1 mm", height = "1 mm" })";
+  const std::string sieve = "sieve_pitch = \"0.8 mm\"\nsieve_opening = \"500 um\"";
+  const Case read = read_case_text(with(full_case, box, tube + "\n" + sieve), "die.toml");
+  EXPECT_EQ(read.sources[0].region.shape, Region::Shape::cylinder);
+  EXPECT_EQ(read.sources[0].region.radius, 1e-3);
+  EXPECT_EQ(read.sources[0].sieve_pitch, 0.8e-3);
+  EXPECT_EQ(read.sources[0].sieve_opening, 0.5e-3);
 }
 
 TEST(CaseReader, MeasuresTheOnlyWallWithAnInsideByDefault) {

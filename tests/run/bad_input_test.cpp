@@ -97,6 +97,13 @@ TEST(BadCase, RegionThatTurnsOutTooFullEndsTheRun) {
   expect_in(run.result().at("exit_reason"), {"source pack", "too full"});
 }
 
+TEST(BadCase, SieveThatTheLargestParcelDoesNotPassIsRefused) {
+  const std::string sieve = "mass_rate = \"600 mg/s\"\nsieve_pitch = \"1 mm\"\nsieve_opening = \"0.54 mm\"\n";
+  const std::string text = with(small_die, "mass_rate = \"600 mg/s\"\n", sieve);
+  expect_in(refused(text, 3).err, {line_of(text, "sieve_opening"), "sources.rain.sieve_opening is 540 um",
+                                   "largest parcel (550 um)", "widen the openings"});
+}
+
 TEST(BadCase, TimeStepAboveTheSmallestLimitIsRefused) {
   const std::string text = with(small_die, "fraction = 1.0", "step = \"6 us\"");
   expect_in(refused(text, 3).err, {"case.toml", "time.step", "too large",
@@ -128,7 +135,7 @@ TEST(BadCase, AllThatDoesNotFitTogetherComesInOneGoWithItsLines) {
   std::string text = with(small_die, "peak_acceleration = \"15 m/s^2\"", "amplitude = \"10 mm\"");
   text = with(text, "fraction = 1.0", "step = \"6 us\"");
   expect_in(refused(text, 3).err, {line_of(text, "step = \"6 us\"") + " error: time.step",
-                                   line_of(text, "[motions.shaking]") + " error: a wall moves"});
+                                   line_of(text, "[motions.shaking]") + " error: the body die moves"});
 }
 
 TEST(BadCase, RegionThatAWallPassesThroughIsRefused) {

@@ -153,6 +153,31 @@ TEST(Check, WarnsOfMoreMemoryThanThereIs) {
   EXPECT_TRUE(warned(checked(with(small_die, "mass = \"24 mg\"", "count = 2147483647"))));
 }
 
+TEST(Check, WarnsOfARainThatCannotKeepItsRateAndSaysWhatItCan) {
+  // Parcels leave the region of 2.8 mm x 2.8 mm x 1.8 mm within 7.6 ms, a quarter full.
+  const double speed = 0.2, height = 1.8e-3,
+               time = 2 * height / (speed + std::sqrt(speed * speed + 2 * g * height));
+  const double open = 0.25 * rho * 2.8e-3 * 2.8e-3 * height / time;
+  const auto warned = [](const std::string& rate, const std::string& sieve = "") {
+    const std::string text =
+        with(small_die, "mass_rate = \"600 mg/s\"", "mass_rate = \"" + rate + "\"\n" + sieve);
+    bool found = false;
+    for (const std::string& w : checked(text).forecast.warnings)
+      found = found || (has(w, "sources.rain") && has(w, "mass_rate"));
+    return found;
+  };
+  const auto share = [&](double factor) {
+    return fmt::format("{} kg/s", factor * open / (1 + 0.25 * std::log(55.0 / 45.0)));
+  };
+  EXPECT_FALSE(warned("600 mg/s"));
+  EXPECT_FALSE(warned(share(0.99)));
+  EXPECT_TRUE(warned(share(1.01)));
+  // Of the face, 36 % are open, and openings are filled less well.
+  const std::string sieve = "sieve_pitch = \"1 mm\"\nsieve_opening = \"0.6 mm\"\n";
+  EXPECT_FALSE(warned(share(0.99 * 0.36 * 0.17 / 0.25), sieve));
+  EXPECT_TRUE(warned(share(1.01 * 0.36 * 0.17 / 0.25), sieve));
+}
+
 TEST(Check, CoarseGrainingScalesWByAlphaAfterSoftening) {
   for (const char* keep : {"\"pull_off\"", "\"sticking_speed\""}) {
     const Checked k = checked(small_die, {{"powders.beads.keep", keep}});

@@ -110,6 +110,17 @@ TEST(Phase, EndsWhenAllIsInserted) {
       << "at the rate given, not at once";
 }
 
+TEST(Phase, FillsThroughASieveOutOfACylinder) {
+  std::string text = with(
+      rain_and(fill, "count = 40"),
+      R"({ min = ["0.1 mm", "0.1 mm", "4.2 mm"], max = ["2.9 mm", "2.9 mm", "6 mm"] })",
+      R"({ shape = "cylinder", base = ["1.5 mm", "1.5 mm", "4.2 mm"], radius = "1.4 mm", height = "1.8 mm" })");
+  text = with(text, "mass_rate", "sieve_pitch = \"0.8 mm\"\nsieve_opening = \"0.6 mm\"\nmass_rate");
+  Journey j(text);
+  ASSERT_TRUE(j.simulation().model().sources.at(0).sieve);
+  EXPECT_EQ(j.to_the_end().at(0).parcels, 40u);
+}
+
 TEST(Phase, EndsByTheMassInTheDie) {
   Journey j(rain_and(
       phase("fill", "sources = [\"rain\"]\nuntil = \"mass\"\nmass = \"8 mg\"\ntime_limit = \"0.2 s\"") +
