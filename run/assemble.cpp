@@ -56,7 +56,7 @@ ContactClasses contact_classes(const Case& c, const std::vector<Species>& specie
     const bool plain = c.contact.normal == "jkr" && p.simulated.work_of_adhesion == 0.0;
     contact.law = laws::find_law(plain ? "hertz" : c.contact.normal, c.contact.damping, c.contact.sliding,
                                  c.contact.rolling);
-    contact.constants = laws::catalogue()[contact.law].mix(p.simulated, choices);
+    contact.constants = contact.law.mix(p.simulated, choices);
     contact.kernel = kernels::contact_kernel(contact.law, kernels::instruction_set());
     classes.set(p.first, p.second, contact);
   }

@@ -10,7 +10,7 @@ namespace pulvis {
 
 /// A law with the constants of one pair of species, ready to run.
 struct ContactClass {
-  std::size_t law = 0;  ///< index in laws::catalogue()
+  laws::Law law;
   laws::PairConstants constants{};
   kernels::ContactKernel kernel{};
 };
@@ -33,8 +33,7 @@ class ContactClasses {
   /// Largest gap, m, to which any contact can stretch if no reduced radius exceeds `radius`.
   double longest_reach(double radius) const {
     double reach = 0.0;
-    for (const auto& c : classes_)
-      reach = greatest(reach, laws::catalogue()[c.law].separation_gap(radius, c.constants));
+    for (const auto& c : classes_) reach = greatest(reach, c.law.separation_gap(radius, c.constants));
     return reach;
   }
 

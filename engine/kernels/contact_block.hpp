@@ -3,9 +3,11 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "engine/laws/catalogue.hpp"
+
 namespace pulvis::kernels {
 
-inline constexpr int block_size = 64;  // 64 contacts x about 45 numbers: 23 KiB, stays in the inner caches
+inline constexpr int block_size = 64;  // 64 contacts x about 52 numbers: 27 KiB, stays in the inner caches
 
 using Lane = double[block_size];
 struct Lanes3 {
@@ -35,15 +37,36 @@ struct ContactBlock {
   alignas(64) Lane touching;       ///< in: before this step; out: now
   Lanes3 slide, roll;              ///< history, in and out
 
+  // Between the stages of a law, see laws/contact_law.hpp.
+  alignas(64) Lane contact_size, elastic, damping_size, limit_shift;  ///< from the normal law
+  Lanes3 slip;                                                        ///< from the dashpots, as all below
+  alignas(64) Lane normal_force, limiting_force, tangential_damping;
+
   // Results.
   Lanes3 force;                        ///< on the first
   Lanes3 torque_first, torque_second;  ///< about the centres
 };
 
-/// The two entry points of one law: contacts of parcels, and of parcels with walls.
-struct ContactKernel {
-  void (*parcels)(ContactBlock& block, const double* pair_constants, double dt);
-  void (*walls)(ContactBlock& block, const double* pair_constants, double dt);
+/// A law as stages, each a loop over the block: geometry of two spheres, normal law, dashpots, sliding law,
+/// rolling law. One set of stages for each part, so code grows with the sum of the parts.
+class ContactKernel {
+ public:
+  using Stage = void (*)(ContactBlock& block, const double* pair_constants, double dt);
+
+  /// Contacts of parcels.
+  void parcels(ContactBlock& block, const double* pair_constants, double dt) const {
+    geometry(block, pair_constants, dt);
+    walls(block, pair_constants, dt);
+  }
+  /// Contacts of parcels with walls, staged with their geometry.
+  void walls(ContactBlock& block, const double* pair_constants, double dt) const {
+    normal(block, pair_constants, dt);
+    damping(block, pair_constants, dt);
+    sliding(block, pair_constants, dt);
+    rolling(block, pair_constants, dt);
+  }
+
+  Stage geometry = nullptr, normal = nullptr, damping = nullptr, sliding = nullptr, rolling = nullptr;
 };
 
 /// Instruction sets the kernels are compiled for.
@@ -54,7 +77,7 @@ enum class InstructionSet { baseline, avx2, avx512 };
 InstructionSet instruction_set();
 const char* name_of(InstructionSet);
 
-/// Kernel of the law with this index in laws::catalogue(). `set` must be one the processor has.
-ContactKernel contact_kernel(std::size_t law, InstructionSet set);
+/// Kernel of a law. `set` must be one the processor has.
+ContactKernel contact_kernel(const laws::Law& law, InstructionSet set);
 
 }  // namespace pulvis::kernels

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 #include <array>
+#include <cstring>
 #include <string_view>
 #include <vector>
 
@@ -11,8 +12,8 @@
 #include "engine/laws/rolling/elastic_plastic.hpp"
 #include "engine/laws/sliding/total_spring.hpp"
 
-// The catalogue: every part of a contact law that exists. A law is any choice of one part from each list;
-// all of them are compiled. To add a part: write its file, include it above, name it in its list.
+// The catalogue: every part of a contact law that exists. A law is a choice of one part from each list.
+// To add a part: write its file, include it above, name it in its list.
 namespace pulvis::laws {
 
 template <class... Parts>
@@ -25,53 +26,77 @@ using DampingParts = PartList<damping::Restitution, damping::None>;
 using SlidingParts = PartList<sliding::TotalSpring, sliding::None>;
 using RollingParts = PartList<rolling::ElasticPlastic, rolling::None>;
 
-/// Calls `visit.template operator()<Law>()` for every law, in the catalogue's fixed order.
-template <class Visitor>
-constexpr void for_each_law(Visitor&& visit) {
-  [&]<class... N>(PartList<N...>) {
-    (
-        [&]<class Norm>() {
-          [&]<class... D>(PartList<D...>) {
-            (
-                [&]<class Damp>() {
-                  [&]<class... S>(PartList<S...>) {
-                    (
-                        [&]<class Slid>() {
-                          [&]<class... R>(PartList<R...>) {
-                            (visit.template operator()<ContactLaw<Norm, Damp, Slid, R>>(), ...);
-                          }(RollingParts{});
-                        }.template operator()<S>(),
-                        ...);
-                  }(SlidingParts{});
-                }.template operator()<D>(),
-                ...);
-          }(DampingParts{});
-        }.template operator()<N>(),
-        ...);
-  }(NormalParts{});
+/// Where the constants of each part stand in those of the whole law.
+enum class Place { whole, normal, damping, sliding, rolling, count };
+
+/// Constants of a law for one pair of species: what the `Pair` of each part holds, as plain doubles.
+inline constexpr std::size_t constants_per_part = 24;
+using PairConstants = std::array<double, constants_per_part* static_cast<std::size_t>(Place::count)>;
+
+/// The constants of one part out of those of its law.
+template <class Pair>
+Pair unpack(const double* constants, Place place) {
+  static_assert(sizeof(Pair) <= constants_per_part * sizeof(double));
+  Pair pair;
+  std::memcpy(static_cast<void*>(&pair), constants + constants_per_part * static_cast<std::size_t>(place),
+              sizeof pair);
+  return pair;
 }
 
-inline constexpr std::size_t law_count =
-    NormalParts::size * DampingParts::size * SlidingParts::size * RollingParts::size;
+// The parts as the rest of the program sees them: by name, without their types. Constants are those of the
+// whole law.
 
-/// Constants of a law for one pair of species: what its `Pair` holds, as plain doubles.
-inline constexpr std::size_t most_pair_constants = 24;
-using PairConstants = std::array<double, most_pair_constants>;
-
-/// One law as the rest of the program sees it: by name, without its type.
-struct LawEntry {
-  std::string_view normal, damping, sliding, rolling;
-  PairConstants (*mix)(const MaterialPair&, const Choices&);
+struct PartEntry {
+  std::string_view name;
+  std::size_t index;  ///< in the list of its kind
+};
+struct NormalEntry : PartEntry {
+  void (*mix)(const MaterialPair&, const Choices&, PairConstants&);
+  Stiffness (*stiffness)(const MaterialPair&);
   double (*separation_gap)(double radius, const PairConstants&);
-  Response (*evaluate)(const Touch&, const History&, const PairConstants&);
-  Normal (*normal_force)(double overlap, double radius, const PairConstants&);
+  Normal (*normal)(double overlap, double radius, const PairConstants&);
+};
+struct FollowingEntry : PartEntry {
+  void (*mix)(const MaterialPair&, const Choices&, const Stiffness&, PairConstants&);
+};
+struct DampingEntry : FollowingEntry {
+  Dashpots (*coefficients)(const Normal&, double mass, const PairConstants&);
+};
+struct SlidingEntry : FollowingEntry {
+  Vec3 (*slide)(const Touch&, const Vec3& slip_velocity, double contact_size, double limiting_force,
+                double dashpot, const PairConstants&, Vec3& xi);
+};
+struct RollingEntry : FollowingEntry {
+  Vec3 (*roll)(const Touch&, double contact_size, double limiting_force, const Vec3& old_torque,
+               const PairConstants&);
 };
 
-/// All laws; the index is the one the kernels use.
-const std::vector<LawEntry>& catalogue();
+/// All parts, in the order of the lists above, which is also that of the kernels.
+struct Catalogue {
+  std::vector<NormalEntry> normal;
+  std::vector<DampingEntry> damping;
+  std::vector<SlidingEntry> sliding;
+  std::vector<RollingEntry> rolling;
+};
+const Catalogue& catalogue();
 
-/// Index of the law with these parts. Throws std::invalid_argument if there is none.
-std::size_t find_law(std::string_view normal, std::string_view damping, std::string_view sliding,
-                     std::string_view rolling);
+/// A contact law: one part of each kind.
+struct Law {
+  const NormalEntry* normal = nullptr;
+  const DampingEntry* damping = nullptr;
+  const SlidingEntry* sliding = nullptr;
+  const RollingEntry* rolling = nullptr;
+
+  PairConstants mix(const MaterialPair& material, const Choices& choices) const;
+  /// Gap up to which an existing contact lasts, m.
+  double separation_gap(double radius, const PairConstants&) const;
+  Normal normal_force(double overlap, double radius, const PairConstants&) const;
+  /// The law for one contact, part after part: what the kernels do for many at once, to the same bits.
+  Response evaluate(const Touch& touch, const History& old, const PairConstants& constants) const;
+};
+
+/// The law with these parts. Throws std::invalid_argument if there is none.
+Law find_law(std::string_view normal, std::string_view damping, std::string_view sliding,
+             std::string_view rolling);
 
 }  // namespace pulvis::laws

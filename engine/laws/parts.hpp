@@ -36,12 +36,24 @@ struct Touch {
   double dt;            ///< s
 };
 
-/// Normal law: force without dashpot and the contact radius.
+/// Normal law: force without dashpot, and the sizes that stiffnesses are proportional to.
 struct Normal {
-  double elastic;         ///< F_n, N; positive pushes apart
-  double contact_radius;  ///< a, m; sets the tangential stiffness 8 G* a
-  double hertz_radius;    ///< sqrt(R* delta), m; 0 without overlap
-  double limit_shift;     ///< N; added to F_n before it limits friction and rolling
+  double elastic;       ///< F_n, N; positive pushes apart
+  double contact_size;  ///< a, m (linear laws: k_n, N/m); stiffnesses are those of `Stiffness` times it
+  double damping_size;  ///< the same for dashpots; Hertz, JKR: sqrt(R* delta); 0 without overlap
+  double limit_shift;   ///< N; added to F_n before it limits friction and rolling
+};
+
+/// Stiffnesses of a normal law over its contact size, Pa (linear laws: without unit).
+struct Stiffness {
+  double normal;         ///< S_n = dF_n/d(delta); Hertz: 2 E*
+  double tangential;     ///< k_t; Hertz: 8 G*
+  double damping_shape;  ///< f in c = -2 f beta sqrt(S m*); Hertz: sqrt(5/6), linear: 1
+};
+
+/// Coefficients of the dashpots, kg/s.
+struct Dashpots {
+  double normal, tangential;
 };
 
 /// What a contact remembers from step to step.

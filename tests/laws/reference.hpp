@@ -37,7 +37,7 @@ inline Quad jkr_stretch_at_rupture(Quad radius, Quad modulus, Quad work) {
 
 struct ReferenceNormal {
   Quad force = 0, terms = 0;  ///< N
-  Quad contact_radius = 0, hertz_radius = 0;
+  Quad contact_size = 0, damping_size = 0;
   Quad limit_shift = 0;
 };
 
@@ -45,10 +45,10 @@ inline ReferenceNormal reference_normal(std::string_view law, Quad overlap, Quad
                                         const laws::MaterialPair& m) {
   const Quad modulus = m.effective_modulus, work = m.work_of_adhesion;
   ReferenceNormal n;
-  n.hertz_radius = quad_root(radius * (overlap > 0 ? overlap : Quad{0}));
+  n.damping_size = quad_root(radius * (overlap > 0 ? overlap : Quad{0}));
   if (law == "hertz") {
     // Hertz (1881): F = 4/3 E sqrt(R) delta^(3/2).
-    n.contact_radius = n.hertz_radius;
+    n.contact_size = n.damping_size;
     n.force = n.terms = Quad{4} / 3 * modulus * quad_root(radius) * overlap * quad_root(overlap);
     return n;
   }
@@ -56,7 +56,7 @@ inline ReferenceNormal reference_normal(std::string_view law, Quad overlap, Quad
   const Quad a = jkr_radius(overlap, radius, modulus, work);
   const Quad pressed = 4 * modulus * a * a * a / (3 * radius);
   const Quad pulled = quad_root(8 * quad_pi() * work * modulus * a * a * a);
-  n.contact_radius = a;
+  n.contact_size = a;
   n.force = pressed - pulled;
   n.terms = pressed + pulled;
   n.limit_shift = 3 * quad_pi() * work * radius;  // 2 F_po with F_po = 3/2 pi W R
@@ -79,21 +79,21 @@ struct ReferenceResponse {
   bool on_the_edge = false;  ///< so near a limit that rounding decides which side it is on
 };
 
-inline ReferenceResponse reference_response(const laws::LawEntry& law, const laws::Touch& t,
+inline ReferenceResponse reference_response(const laws::Law& law, const laws::Touch& t,
                                             const laws::History& old, const laws::MaterialPair& m,
                                             const laws::Choices& choices) {
   const Quad overlap = t.overlap, radius = t.radius, mass = t.mass, dt = t.dt;
   const QuadVec normal = quad(t.normal), half = quad(t.half_normal);
   ReferenceResponse r;
-  const bool adhesive = law.normal == "jkr";
+  const bool adhesive = law.normal->name == "jkr";
   const Quad stretch =
       adhesive ? jkr_stretch_at_rupture(radius, m.effective_modulus, m.work_of_adhesion) : Quad{0};
   r.touching = t.was_touching > 0.5 ? overlap > -stretch : overlap > 0;
   if (!r.touching) return r;
 
-  const ReferenceNormal n = reference_normal(law.normal, overlap, radius, m);
-  const Quad dashpot_radius = choices.damping_on_jkr_radius ? n.contact_radius : n.hertz_radius;
-  const bool damped = law.damping == "restitution";
+  const ReferenceNormal n = reference_normal(law.normal->name, overlap, radius, m);
+  const Quad dashpot_radius = choices.damping_on_jkr_radius ? n.contact_size : n.damping_size;
+  const bool damped = law.damping->name == "restitution";
   const Quad shear = 8 * static_cast<Quad>(m.effective_shear_modulus);
   const Quad c_normal = damped
                             ? reference_dashpot(2 * static_cast<Quad>(m.effective_modulus) * dashpot_radius,
@@ -109,8 +109,8 @@ inline ReferenceResponse reference_response(const laws::LawEntry& law, const law
   const Quad limiting = quad_magnitude(n.force + n.limit_shift + in_limit);
   const Quad limiting_terms = n.terms + n.limit_shift + quad_magnitude(in_limit);
 
-  if (law.sliding == "total_spring") {
-    const Quad stiffness = shear * n.contact_radius;
+  if (law.sliding->name == "total_spring") {
+    const Quad stiffness = shear * n.contact_size;
     const QuadVec spring = reference_in_plane(reference_in_plane(quad(old.slide), half) + dt * slip, normal);
     const Quad spring_terms = norm(quad(old.slide)) + dt * norm(velocity);
     const Quad length = norm(spring), limit = static_cast<Quad>(m.friction) * limiting;
@@ -128,8 +128,8 @@ inline ReferenceResponse reference_response(const laws::LawEntry& law, const law
       r.slide_terms = spring_terms;
     }
   }
-  if (law.rolling == "elastic_plastic") {
-    const Quad stiffness = shear * n.contact_radius * radius * radius;
+  if (law.rolling->name == "elastic_plastic") {
+    const Quad stiffness = shear * n.contact_size * radius * radius;
     const QuadVec spin = reference_in_plane(quad(t.spin), half);
     const QuadVec torque =
         reference_in_plane(reference_in_plane(quad(old.roll), half) - (stiffness * dt) * spin, normal);

@@ -24,7 +24,7 @@ struct LawParts {
 inline ContactClass contact_class(const laws::MaterialPair& pair, const LawParts& parts) {
   ContactClass c;
   c.law = laws::find_law(parts.normal, parts.damping, parts.sliding, parts.rolling);
-  c.constants = laws::catalogue()[c.law].mix(pair, parts.choices);
+  c.constants = c.law.mix(pair, parts.choices);
   c.kernel = kernels::contact_kernel(c.law, kernels::instruction_set());
   return c;
 }

@@ -5,11 +5,11 @@
 
 namespace pulvis::laws::damping {
 
-/// Dashpot that gives a stated coefficient of restitution e in a Hertz contact.
+/// Dashpot that gives a stated coefficient of restitution e.
 ///
 ///   beta = ln e / sqrt(ln^2 e + pi^2)             [-]      (1)
-///   c(S) = -2 sqrt(5/6) beta sqrt(S m*)           [kg/s]   (2)
-///   normal: S_n = 2 E* a_d;  tangential: S_t = 8 G* a_d    [N/m]
+///   c(S) = -2 f beta sqrt(S m*)                   [kg/s]   (2)
+///   Hertz: f = sqrt(5/6), normal S_n = 2 E* a_d, tangential S_t = 8 G* a_d    [N/m]
 ///
 /// a_d is sqrt(R* delta) (choice "hertz", default: also under JKR, so that a stretched contact is not
 /// damped) or the contact radius of the normal law (choice "jkr_radius").
@@ -24,25 +24,22 @@ namespace pulvis::laws::damping {
 struct Restitution {
   static constexpr const char* name = "restitution";
   struct Pair {
-    double coefficient;           ///< -2 sqrt(5/6) beta, -
-    double normal_stiffness;      ///< S_n/a_d = 2 E*, Pa
-    double tangential_stiffness;  ///< S_t/a_d = 8 G*, Pa
-    double on_contact_radius;     ///< 1: a_d is the contact radius, 0: the Hertz radius
+    double coefficient;           ///< -2 f beta, -
+    double normal_stiffness;      ///< S_n/a_d, Pa
+    double tangential_stiffness;  ///< S_t/a_d, Pa
+    double on_contact_size;       ///< 1: a_d is the contact radius, 0: the Hertz radius
   };
 
-  static Pair mix(const MaterialPair& pair, const Choices& choices) {
+  static Pair mix(const MaterialPair& pair, const Choices& choices, const Stiffness& stiffness) {
     const double log_e = logarithm(pair.restitution);
     const double beta = log_e / root(log_e * log_e + square(pi));
-    return {-2.0 * root(5.0 / 6.0) * beta, 2.0 * pair.effective_modulus, 8.0 * pair.effective_shear_modulus,
+    return {-2.0 * stiffness.damping_shape * beta, stiffness.normal, stiffness.tangential,
             choices.damping_on_jkr_radius ? 1.0 : 0.0};
   }
 
-  struct Coefficients {
-    double normal, tangential;  ///< c_n, c_t, kg/s
-  };
-  PULVIS_INLINE static Coefficients coefficients(const Normal& normal, double mass, const Pair& pair) {
-    const double radius = select(pair.on_contact_radius > 0.5, normal.contact_radius, normal.hertz_radius);
-    const double scale = mass * radius;
+  PULVIS_INLINE static Dashpots coefficients(const Normal& normal, double mass, const Pair& pair) {
+    const double size = select(pair.on_contact_size > 0.5, normal.contact_size, normal.damping_size);
+    const double scale = mass * size;
     return {pair.coefficient * root(pair.normal_stiffness * scale),
             pair.coefficient * root(pair.tangential_stiffness * scale)};
   }
@@ -52,10 +49,8 @@ struct Restitution {
 struct None {
   static constexpr const char* name = "none";
   struct Pair {};
-  static Pair mix(const MaterialPair&, const Choices&) { return {}; }
-  PULVIS_INLINE static Restitution::Coefficients coefficients(const Normal&, double, const Pair&) {
-    return {0.0, 0.0};
-  }
+  static Pair mix(const MaterialPair&, const Choices&, const Stiffness&) { return {}; }
+  PULVIS_INLINE static Dashpots coefficients(const Normal&, double, const Pair&) { return {0.0, 0.0}; }
 };
 
 }  // namespace pulvis::laws::damping

@@ -23,6 +23,9 @@ struct Hertz {
   };
 
   static Pair mix(const MaterialPair& pair, const Choices&) { return {pair.effective_modulus}; }
+  static Stiffness stiffness(const MaterialPair& pair) {
+    return {2.0 * pair.effective_modulus, 8.0 * pair.effective_shear_modulus, root(5.0 / 6.0)};
+  }
 
   /// Gap up to which an existing contact lasts, m.
   PULVIS_INLINE static double separation_gap(double /*radius*/, const Pair&) { return 0.0; }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include "engine/laws/normal/hertz.hpp"
 #include "engine/laws/parts.hpp"
 
 namespace pulvis::laws::normal {
@@ -47,6 +48,8 @@ struct Jkr {
     const double ratio = pi * work / pair.effective_modulus;
     return {1.5 * pi * work, 0.75 * cube_root(ratio * ratio), 0.5 * cube_root(ratio)};
   }
+
+  static Stiffness stiffness(const MaterialPair& pair) { return Hertz::stiffness(pair); }
 
   PULVIS_INLINE static double separation_gap(double radius, const Pair& pair) {
     return pair.stretch * cube_root(radius);

@@ -24,18 +24,18 @@ namespace pulvis::laws::rolling {
 struct ElasticPlastic {
   static constexpr const char* name = "elastic_plastic";
   struct Pair {
-    double stiffness;  ///< k_t/a = 8 G*, Pa
+    double stiffness;  ///< k_t/a, Pa
     double friction;   ///< mu_r, -
   };
 
-  static Pair mix(const MaterialPair& pair, const Choices&) {
-    return {8.0 * pair.effective_shear_modulus, pair.rolling_friction};
+  static Pair mix(const MaterialPair& pair, const Choices&, const Stiffness& stiffness) {
+    return {stiffness.tangential, pair.rolling_friction};
   }
 
   /// Torque on the first, N m; it is its own history.
-  PULVIS_INLINE static Vec3 roll(const Touch& touch, double contact_radius, double limiting_force,
+  PULVIS_INLINE static Vec3 roll(const Touch& touch, double contact_size, double limiting_force,
                                  const Vec3& old_torque, const Pair& pair) {
-    const double stiffness = pair.stiffness * contact_radius * square(touch.radius);
+    const double stiffness = pair.stiffness * contact_size * square(touch.radius);
     const Vec3 spin = in_plane(touch.spin, touch.half_normal);
     const Vec3 moved = in_plane(old_torque, touch.half_normal) - (stiffness * touch.dt) * spin;
     const Vec3 torque = in_plane(moved, touch.normal);
@@ -49,7 +49,7 @@ struct ElasticPlastic {
 struct None {
   static constexpr const char* name = "none";
   struct Pair {};
-  static Pair mix(const MaterialPair&, const Choices&) { return {}; }
+  static Pair mix(const MaterialPair&, const Choices&, const Stiffness&) { return {}; }
   PULVIS_INLINE static Vec3 roll(const Touch&, double, double, const Vec3&, const Pair&) { return {}; }
 };
 

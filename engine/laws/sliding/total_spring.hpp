@@ -27,20 +27,20 @@ namespace pulvis::laws::sliding {
 struct TotalSpring {
   static constexpr const char* name = "total_spring";
   struct Pair {
-    double stiffness;  ///< k_t/a = 8 G*, Pa
+    double stiffness;  ///< k_t/a, Pa
     double friction;   ///< mu, -
   };
 
-  static Pair mix(const MaterialPair& pair, const Choices&) {
-    return {8.0 * pair.effective_shear_modulus, pair.friction};
+  static Pair mix(const MaterialPair& pair, const Choices&, const Stiffness& stiffness) {
+    return {stiffness.tangential, pair.friction};
   }
 
   /// Force on the first, N; `xi` is the spring, m, before and after.
-  PULVIS_INLINE static Vec3 slide(const Touch& touch, const Vec3& slip_velocity, double contact_radius,
+  PULVIS_INLINE static Vec3 slide(const Touch& touch, const Vec3& slip_velocity, double contact_size,
                                   double limiting_force, double dashpot, const Pair& pair, Vec3& xi) {
     const Vec3 moved = in_plane(xi, touch.half_normal) + touch.dt * slip_velocity;
     const Vec3 spring = in_plane(moved, touch.normal);
-    const double stiffness = pair.stiffness * contact_radius;
+    const double stiffness = pair.stiffness * contact_size;
     const double trial = stiffness * norm(spring);
     const double limit = pair.friction * limiting_force;
     const bool slips = trial > limit;
@@ -55,7 +55,7 @@ struct TotalSpring {
 struct None {
   static constexpr const char* name = "none";
   struct Pair {};
-  static Pair mix(const MaterialPair&, const Choices&) { return {}; }
+  static Pair mix(const MaterialPair&, const Choices&, const Stiffness&) { return {}; }
   PULVIS_INLINE static Vec3 slide(const Touch&, const Vec3&, double, double, double, const Pair&, Vec3& xi) {
     xi = {};
     return {};
