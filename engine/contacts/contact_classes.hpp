@@ -30,6 +30,12 @@ class ContactClasses {
   const std::vector<ContactClass>& all() const { return classes_; }
   std::size_t species() const { return species_; }
 
+  /// Widest gap, m, at which any contact can begin on approach; 0 for most laws.
+  double longest_approach(double radius) const {
+    double gap = 0.0;
+    for (const auto& c : classes_) gap = greatest(gap, c.law.formation_gap(radius, c.constants));
+    return gap;
+  }
   /// Largest gap, m, to which any contact can stretch if no reduced radius exceeds `radius`.
   double longest_reach(double radius) const {
     double reach = 0.0;

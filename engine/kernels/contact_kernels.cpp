@@ -53,17 +53,43 @@ PULVIS_INLINE void look(const ContactBlock& b, int k, double dt, laws::Touch& to
   touch.velocity = load(b.velocity, k) + cross(surface, touch.half_normal);
   touch.spin = spin_first - spin_second;
   touch.dt = dt;
+  touch.shared_spin = 0.5 * dot(spin_first + spin_second, touch.half_normal);
+  touch.radius_first = b.radius_first[k];
+  touch.radius_second = b.radius_second[k];
+  touch.mass_first = b.mass_first[k];
+  touch.mass_second = b.mass_second[k];
+}
+
+PULVIS_INLINE void put_wall_sizes(ContactBlock& b, int k) {
+  b.radius_first[k] = b.radius[k];
+  b.radius_second[k] = 0.0;
+  b.mass_first[k] = b.mass[k];
+  b.mass_second[k] = 0.0;
+}
+
+template <class Part>
+PULVIS_INLINE void evaluate_reach(ContactBlock& b, int k, const typename Part::Pair& pair) {
+  laws::Touch touch;
+  look(b, k, 0.0, touch);
+  b.in_reach[k] = laws::touches(touch.overlap, touch.was_touching, Part::formation_gap(touch, pair),
+                                Part::separation_gap(touch, pair));
 }
 
 template <class Part>
 PULVIS_INLINE void evaluate_normal(ContactBlock& b, int k, const typename Part::Pair& pair) {
-  const double overlap = b.overlap[k], radius = b.radius[k];
-  b.touching[k] = laws::touches(overlap, b.touching[k], Part::separation_gap(radius, pair));
-  const laws::Normal n = Part::normal(overlap, radius, pair);
+  laws::Touch touch;
+  look(b, k, 0.0, touch);
+  const double gap = Part::separation_gap(touch.radius, pair);
+  const double touching = laws::touches(touch.overlap, touch.was_touching, 0.0, gap);
+  double plastic = 0.0, adhesion = 0.0;
+  if constexpr (Part::remembers) plastic = b.plastic[k], adhesion = b.adhesion[k];
+  const laws::Normal n = Part::normal(touch, pair, plastic, adhesion);
+  b.touching[k] = touching;
   b.elastic[k] = n.elastic;
   b.contact_size[k] = n.contact_size;
   b.damping_size[k] = n.damping_size;
   b.limit_shift[k] = n.limit_shift;
+  if constexpr (Part::remembers) b.plastic[k] = touching * plastic, b.adhesion[k] = touching * adhesion;
 }
 
 template <class Part>
@@ -74,11 +100,24 @@ PULVIS_INLINE void evaluate_damping(ContactBlock& b, int k, const typename Part:
   const laws::Normal n{b.elastic[k], b.contact_size[k], b.damping_size[k], b.limit_shift[k]};
   const laws::Dashpots c = Part::coefficients(n, touch.mass, pair);
   const double closing = laws::closing_speed(touch);
+  b.closing[k] = closing;
   store(b.slip, k, laws::slip_velocity(touch, closing));
   const double dashpot = c.normal * closing;
   b.normal_force[k] = n.elastic + dashpot;
   b.limiting_force[k] = laws::limiting_force(n, dashpot, whole);
   b.tangential_damping[k] = c.tangential;
+}
+
+template <class Part>
+PULVIS_INLINE void evaluate_cohesion(ContactBlock& b, int k, const typename Part::Pair& pair,
+                                     const laws::Whole& whole) {
+  laws::Touch touch;
+  look(b, k, 0.0, touch);
+  if constexpr (Part::reaches) b.touching[k] = greatest(touch.was_touching, b.in_reach[k]);
+  const laws::Attraction a = Part::attraction(touch, pair);
+  b.normal_force[k] = b.normal_force[k] - a.pull + a.viscous_normal * b.closing[k];
+  b.limiting_force[k] = laws::limiting_force(b.limiting_force[k], b.contact_size[k], a, whole);
+  if constexpr (Part::is_viscous) b.drag[k] = a.viscous_tangential;
 }
 
 /// Also puts the forces together, and the torques they exert about the centres.
@@ -87,25 +126,53 @@ PULVIS_INLINE void evaluate_sliding(ContactBlock& b, int k, const typename Part:
   laws::Touch touch;
   look(b, k, dt, touch);
   Vec3 spring = load(b.slide, k);
-  const Vec3 tangential = Part::slide(touch, load(b.slip, k), b.contact_size[k], b.limiting_force[k],
-                                      b.tangential_damping[k], pair, spring);
-  const double touching = b.touching[k];
-  store(b.slide, k, touching * spring);
+  double grip = 0.0;
+  if constexpr (Part::remembers_grip) grip = b.grip[k];
+  const double size = b.contact_size[k];
+  const Vec3 tangential = Part::slide(touch, load(b.slip, k), size, magnitude(b.limiting_force[k]),
+                                      b.tangential_damping[k], pair, spring, grip);
+  const double touching = b.touching[k], held = select(size > 0.0, touching, 0.0);
+  store(b.slide, k, held * spring);
+  if constexpr (Part::remembers_grip) b.grip[k] = held * grip;
   store(b.force, k, touching * (tangential - b.normal_force[k] * touch.normal));
   const Vec3 moment = cross(touch.normal, touching * tangential);
   store(b.torque_first, k, b.arm_first[k] * moment);
   store(b.torque_second, k, b.arm_second[k] * moment);
 }
 
-template <class Part>
-PULVIS_INLINE void evaluate_rolling(ContactBlock& b, int k, const typename Part::Pair& pair, double dt) {
+template <class Rolling, class Twisting>
+PULVIS_INLINE void evaluate_rolling(ContactBlock& b, int k, const typename Rolling::Pair& rolling,
+                                    const typename Twisting::Pair& twisting, double dt) {
   laws::Touch touch;
   look(b, k, dt, touch);
-  const Vec3 torque =
-      touch.was_touching * Part::roll(touch, b.contact_size[k], b.limiting_force[k], load(b.roll, k), pair);
-  store(b.roll, k, torque);
-  store(b.torque_first, k, load(b.torque_first, k) + torque);
-  store(b.torque_second, k, load(b.torque_second, k) - torque);
+  const double size = b.contact_size[k], limit = magnitude(b.limiting_force[k]);
+  const double held = select(size > 0.0, touch.was_touching, 0.0);
+  Vec3 spring = load(b.roll, k);
+  double twist = 0.0;
+  if constexpr (Twisting::acts) {
+    const Vec3 before = laws::normal_before(touch.normal, touch.half_normal);
+    const double old_twist = dot(spring, before);
+    spring = spring - old_twist * before;
+    twist = Twisting::twist(touch, size, limit, old_twist, twisting);
+  }
+  Vec3 torque = Rolling::roll(touch, size, limit, rolling, spring);
+  if constexpr (Twisting::acts) {
+    torque = torque + twist * touch.normal;
+    spring = spring + twist * touch.normal;
+  }
+  const Vec3 acting = held * torque;
+  store(b.roll, k, held * spring);
+  store(b.torque_first, k, load(b.torque_first, k) + acting);
+  store(b.torque_second, k, load(b.torque_second, k) - acting);
+}
+
+PULVIS_INLINE void evaluate_drag(ContactBlock& b, int k) {
+  const Vec3 normal = load(b.normal, k);
+  const Vec3 drag = b.touching[k] * laws::drag_force(load(b.slip, k), normal, b.drag[k]);
+  const Vec3 moment = cross(normal, drag);
+  store(b.force, k, load(b.force, k) + drag);
+  store(b.torque_first, k, load(b.torque_first, k) + b.arm_first[k] * moment);
+  store(b.torque_second, k, load(b.torque_second, k) + b.arm_second[k] * moment);
 }
 
 // --- the stages: loops over the block ---------------------------------------------------------------------
@@ -114,6 +181,20 @@ static void geometry_stage(ContactBlock& b, const double*, double dt) {
   const int count = b.count;
 #pragma omp simd
   for (int k = 0; k < count; ++k) derive_geometry(b, k, dt);
+}
+
+static void wall_sizes_stage(ContactBlock& b, const double*, double) {
+  const int count = b.count;
+#pragma omp simd
+  for (int k = 0; k < count; ++k) put_wall_sizes(b, k);
+}
+
+template <class Part>
+static void reach_stage(ContactBlock& b, const double* constants, double) {
+  const auto pair = laws::unpack<typename Part::Pair>(constants, laws::Place::cohesion);
+  const int count = b.count;
+#pragma omp simd
+  for (int k = 0; k < count; ++k) evaluate_reach<Part>(b, k, pair);
 }
 
 template <class Part>
@@ -134,6 +215,15 @@ static void damping_stage(ContactBlock& b, const double* constants, double) {
 }
 
 template <class Part>
+static void cohesion_stage(ContactBlock& b, const double* constants, double) {
+  const auto pair = laws::unpack<typename Part::Pair>(constants, laws::Place::cohesion);
+  const auto whole = laws::unpack<laws::Whole>(constants, laws::Place::whole);
+  const int count = b.count;
+#pragma omp simd
+  for (int k = 0; k < count; ++k) evaluate_cohesion<Part>(b, k, pair, whole);
+}
+
+template <class Part>
 static void sliding_stage(ContactBlock& b, const double* constants, double dt) {
   const auto pair = laws::unpack<typename Part::Pair>(constants, laws::Place::sliding);
   const int count = b.count;
@@ -141,36 +231,77 @@ static void sliding_stage(ContactBlock& b, const double* constants, double dt) {
   for (int k = 0; k < count; ++k) evaluate_sliding<Part>(b, k, pair, dt);
 }
 
-template <class Part>
+template <class Rolling, class Twisting>
 static void rolling_stage(ContactBlock& b, const double* constants, double dt) {
-  const auto pair = laws::unpack<typename Part::Pair>(constants, laws::Place::rolling);
+  const auto rolling = laws::unpack<typename Rolling::Pair>(constants, laws::Place::rolling);
+  const auto twisting = laws::unpack<typename Twisting::Pair>(constants, laws::Place::twisting);
   const int count = b.count;
 #pragma omp simd
-  for (int k = 0; k < count; ++k) evaluate_rolling<Part>(b, k, pair, dt);
+  for (int k = 0; k < count; ++k) evaluate_rolling<Rolling, Twisting>(b, k, rolling, twisting, dt);
 }
 
+static void drag_stage(ContactBlock& b, const double*, double) {
+  const int count = b.count;
+#pragma omp simd
+  for (int k = 0; k < count; ++k) evaluate_drag(b, k);
+}
+
+// --- the stages of a law ----------------------------------------------------------------------------------
+
+using Stage = ContactKernel::Stage;
+
 template <class... Parts>
-static ContactKernel::Stage normal_stage_of(laws::PartList<Parts...>, std::size_t index) {
+static Stage normal_stage_of(laws::PartList<Parts...>, std::size_t index) {
   return std::array{normal_stage<Parts>...}[index];
 }
 template <class... Parts>
-static ContactKernel::Stage damping_stage_of(laws::PartList<Parts...>, std::size_t index) {
+static Stage damping_stage_of(laws::PartList<Parts...>, std::size_t index) {
   return std::array{damping_stage<Parts>...}[index];
 }
 template <class... Parts>
-static ContactKernel::Stage sliding_stage_of(laws::PartList<Parts...>, std::size_t index) {
+static Stage sliding_stage_of(laws::PartList<Parts...>, std::size_t index) {
   return std::array{sliding_stage<Parts>...}[index];
 }
+template <class Twisting, class... Parts>
+static Stage rolling_stage_of(laws::PartList<Parts...>, std::size_t index) {
+  return std::array{rolling_stage<Parts, Twisting>...}[index];
+}
+
+/// Not every part of cohesion has each stage; those that are not there are null.
+template <class Part>
+static constexpr Stage reach_stage_if_any() {
+  if constexpr (Part::reaches) return reach_stage<Part>;
+  return nullptr;
+}
+template <class Part>
+static constexpr Stage cohesion_stage_if_any() {
+  if constexpr (Part::acts) return cohesion_stage<Part>;
+  return nullptr;
+}
 template <class... Parts>
-static ContactKernel::Stage rolling_stage_of(laws::PartList<Parts...>, std::size_t index) {
-  return std::array{rolling_stage<Parts>...}[index];
+static Stage reach_stage_of(laws::PartList<Parts...>, std::size_t index) {
+  return std::array<Stage, sizeof...(Parts)>{reach_stage_if_any<Parts>()...}[index];
+}
+template <class... Parts>
+static Stage cohesion_stage_of(laws::PartList<Parts...>, std::size_t index) {
+  return std::array<Stage, sizeof...(Parts)>{cohesion_stage_if_any<Parts>()...}[index];
 }
 
 ContactKernel contact_kernel(const laws::Law& law) {
-  return {geometry_stage, normal_stage_of(laws::NormalParts{}, law.normal->index),
-          damping_stage_of(laws::DampingParts{}, law.damping->index),
-          sliding_stage_of(laws::SlidingParts{}, law.sliding->index),
-          rolling_stage_of(laws::RollingParts{}, law.rolling->index)};
+  ContactKernel kernel;
+  kernel.geometry = geometry_stage;
+  if (law.cohesion->needs_sizes || law.rolling->needs_sizes) kernel.wall_sizes = wall_sizes_stage;
+  if (law.cohesion->reaches) kernel.append(reach_stage_of(laws::CohesionParts{}, law.cohesion->index));
+  kernel.append(normal_stage_of(laws::NormalParts{}, law.normal->index));
+  kernel.append(damping_stage_of(laws::DampingParts{}, law.damping->index));
+  if (law.cohesion->acts) kernel.append(cohesion_stage_of(laws::CohesionParts{}, law.cohesion->index));
+  kernel.append(sliding_stage_of(laws::SlidingParts{}, law.sliding->index));
+  kernel.append(
+      law.twisting->acts
+          ? rolling_stage_of<laws::twisting::ElasticPlastic>(laws::RollingParts{}, law.rolling->index)
+          : rolling_stage_of<laws::twisting::None>(laws::RollingParts{}, law.rolling->index));
+  if (law.cohesion->is_viscous) kernel.append(drag_stage);
+  return kernel;
 }
 
 }  // namespace PULVIS_ISA

@@ -7,16 +7,17 @@
 namespace pulvis::laws {
 namespace {
 
-template <class Pair>
-void pack(const Pair& pair, Place place, PairConstants& constants) {
-  static_assert(sizeof(Pair) <= constants_per_part * sizeof(double));
-  std::memcpy(constants.data() + constants_per_part * static_cast<std::size_t>(place), &pair, sizeof pair);
+template <NamedPart Part>
+PartEntry part_entry(std::size_t index) {
+  return {Part::name, index, Part::parameters};
 }
 
 template <NormalPart Part>
 NormalEntry normal_entry(std::size_t index) {
   using Pair = typename Part::Pair;
-  return {{Part::name, index},
+  return {part_entry<Part>(index),
+          Part::adhesive,
+          Part::remembers,
           [](const MaterialPair& material, const Choices& choices, PairConstants& constants) {
             pack(Part::mix(material, choices), Place::normal, constants);
           },
@@ -24,14 +25,43 @@ NormalEntry normal_entry(std::size_t index) {
           [](double radius, const PairConstants& c) {
             return Part::separation_gap(radius, unpack<Pair>(c.data(), Place::normal));
           },
-          [](double overlap, double radius, const PairConstants& c) {
-            return Part::normal(overlap, radius, unpack<Pair>(c.data(), Place::normal));
+          [](const Touch& touch, const PairConstants& c, double& plastic, double& adhesion) {
+            return Part::normal(touch, unpack<Pair>(c.data(), Place::normal), plastic, adhesion);
           }};
+}
+
+template <CohesionPart Part>
+CohesionEntry cohesion_entry(std::size_t index) {
+  using Pair = typename Part::Pair;
+  return {
+      part_entry<Part>(index),
+      Part::acts,
+      Part::reaches,
+      Part::needs_sizes,
+      Part::is_viscous,
+      Part::has_pull_off,
+      Part::standard_limit,
+      [](const MaterialPair& material, const Choices& choices, PairConstants& constants) {
+        pack(Part::mix(material, choices), Place::cohesion, constants);
+      },
+      [](double radius, const PairConstants& c) {
+        return Part::longest_gap(radius, unpack<Pair>(c.data(), Place::cohesion));
+      },
+      [](const PairConstants& c) { return Part::acts_on_approach(unpack<Pair>(c.data(), Place::cohesion)); },
+      [](const Touch& touch, const PairConstants& c) {
+        return Part::separation_gap(touch, unpack<Pair>(c.data(), Place::cohesion));
+      },
+      [](const Touch& touch, const PairConstants& c) {
+        return Part::formation_gap(touch, unpack<Pair>(c.data(), Place::cohesion));
+      },
+      [](const Touch& touch, const PairConstants& c) {
+        return Part::attraction(touch, unpack<Pair>(c.data(), Place::cohesion));
+      }};
 }
 
 template <FollowingPart Part, Place place>
 FollowingEntry following_entry(std::size_t index) {
-  return {{Part::name, index},
+  return {part_entry<Part>(index),
           [](const MaterialPair& material, const Choices& choices, const Stiffness& stiffness,
              PairConstants& constants) { pack(Part::mix(material, choices, stiffness), place, constants); }};
 }
@@ -46,19 +76,29 @@ DampingEntry damping_entry(std::size_t index) {
 
 template <FollowingPart Part>
 SlidingEntry sliding_entry(std::size_t index) {
-  return {following_entry<Part, Place::sliding>(index),
+  return {following_entry<Part, Place::sliding>(index), Part::remembers_grip,
           [](const Touch& touch, const Vec3& slip, double size, double limit, double dashpot,
-             const PairConstants& c, Vec3& xi) {
+             const PairConstants& c, Vec3& spring, double& grip) {
             return Part::slide(touch, slip, size, limit, dashpot,
-                               unpack<typename Part::Pair>(c.data(), Place::sliding), xi);
+                               unpack<typename Part::Pair>(c.data(), Place::sliding), spring, grip);
           }};
 }
 
 template <FollowingPart Part>
 RollingEntry rolling_entry(std::size_t index) {
-  return {following_entry<Part, Place::rolling>(index),
-          [](const Touch& touch, double size, double limit, const Vec3& old, const PairConstants& c) {
-            return Part::roll(touch, size, limit, old, unpack<typename Part::Pair>(c.data(), Place::rolling));
+  return {following_entry<Part, Place::rolling>(index), Part::needs_sizes,
+          [](const Touch& touch, double size, double limit, const PairConstants& c, Vec3& spring) {
+            return Part::roll(touch, size, limit, unpack<typename Part::Pair>(c.data(), Place::rolling),
+                              spring);
+          }};
+}
+
+template <FollowingPart Part>
+TwistingEntry twisting_entry(std::size_t index) {
+  return {following_entry<Part, Place::twisting>(index), Part::acts,
+          [](const Touch& touch, double size, double limit, double old, const PairConstants& c) {
+            return Part::twist(touch, size, limit, old,
+                               unpack<typename Part::Pair>(c.data(), Place::twisting));
           }};
 }
 
@@ -81,60 +121,22 @@ const Catalogue& catalogue() {
   static const Catalogue all = [] {
     Catalogue c;
     fill(NormalParts{}, c.normal, []<class P>(std::size_t k) { return normal_entry<P>(k); });
+    fill(CohesionParts{}, c.cohesion, []<class P>(std::size_t k) { return cohesion_entry<P>(k); });
     fill(DampingParts{}, c.damping, []<class P>(std::size_t k) { return damping_entry<P>(k); });
     fill(SlidingParts{}, c.sliding, []<class P>(std::size_t k) { return sliding_entry<P>(k); });
     fill(RollingParts{}, c.rolling, []<class P>(std::size_t k) { return rolling_entry<P>(k); });
+    fill(TwistingParts{}, c.twisting, []<class P>(std::size_t k) { return twisting_entry<P>(k); });
     return c;
   }();
   return all;
 }
 
-Law find_law(std::string_view normal, std::string_view damping, std::string_view sliding,
-             std::string_view rolling) {
+Law find_law(const LawNames& names) {
   const Catalogue& all = catalogue();
-  return {find_part(all.normal, "normal", normal), find_part(all.damping, "damping", damping),
-          find_part(all.sliding, "sliding", sliding), find_part(all.rolling, "rolling", rolling)};
-}
-
-PairConstants Law::mix(const MaterialPair& material, const Choices& choices) const {
-  PairConstants constants{};
-  pack(Whole{choices.limit_includes_dashpot ? 1.0 : 0.0}, Place::whole, constants);
-  normal->mix(material, choices, constants);
-  const Stiffness stiffness = normal->stiffness(material);
-  damping->mix(material, choices, stiffness, constants);
-  sliding->mix(material, choices, stiffness, constants);
-  rolling->mix(material, choices, stiffness, constants);
-  return constants;
-}
-
-double Law::separation_gap(double radius, const PairConstants& constants) const {
-  return normal->separation_gap(radius, constants);
-}
-
-Normal Law::normal_force(double overlap, double radius, const PairConstants& constants) const {
-  return normal->normal(overlap, radius, constants);
-}
-
-Response Law::evaluate(const Touch& touch, const History& old, const PairConstants& constants) const {
-  const Whole whole = unpack<Whole>(constants.data(), Place::whole);
-  const double touching = touches(touch.overlap, touch.was_touching, separation_gap(touch.radius, constants));
-  const Normal n = normal->normal(touch.overlap, touch.radius, constants);
-
-  const Dashpots c = damping->coefficients(n, touch.mass, constants);
-  const double closing = closing_speed(touch);
-  const Vec3 slip = slip_velocity(touch, closing);
-  const double dashpot = c.normal * closing;
-  const double limit = limiting_force(n, dashpot, whole);
-
-  Vec3 spring = old.slide;
-  const Vec3 tangential = sliding->slide(touch, slip, n.contact_size, limit, c.tangential, constants, spring);
-  const Vec3 torque = rolling->roll(touch, n.contact_size, limit, old.roll, constants);
-
-  return {touching,
-          touching * (tangential - (n.elastic + dashpot) * touch.normal),
-          touching * tangential,
-          touching * torque,
-          {touching * spring, touching * torque}};
+  return {
+      find_part(all.normal, "normal", names.normal),    find_part(all.cohesion, "cohesion", names.cohesion),
+      find_part(all.damping, "damping", names.damping), find_part(all.sliding, "sliding", names.sliding),
+      find_part(all.rolling, "rolling", names.rolling), find_part(all.twisting, "twisting", names.twisting)};
 }
 
 }  // namespace pulvis::laws

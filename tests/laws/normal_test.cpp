@@ -33,7 +33,7 @@ Worst worst_errors(const char* law) {
     const double overlap = s.touch.overlap, radius = s.touch.radius;
     const auto constants = entry.mix(s.material, {});
     if (overlap <= -entry.separation_gap(radius, constants)) continue;
-    const ReferenceNormal truth = reference_normal(law, overlap, radius, s.material);
+    const ReferenceNormal truth = reference_normal(law, s.touch, s.history, s.material, {});
     const laws::Normal ours = entry.normal_force(overlap, radius, constants);
     worst.force = std::max(worst.force, relative(apart(ours.elastic, truth.force), truth.terms));
     worst.contact_size = std::max(worst.contact_size,
@@ -111,7 +111,7 @@ TEST(Dashpot, CoefficientsAgreeWithTheEquationsIn1000RandomStates) {
       const double radius = on_contact_size ? normal.contact_size : normal.damping_size;
       const auto c = laws::damping::Restitution::coefficients(
           normal, s.touch.mass,
-          laws::damping::Restitution::mix(s.material, choices, laws::normal::Jkr::stiffness(s.material)));
+          laws::damping::Restitution::mix(s.material, choices, laws::normal::Jkr::stiffness(s.material, {})));
       const Quad modulus = s.material.effective_modulus, shear = s.material.effective_shear_modulus;
       const Quad c_normal = reference_dashpot(2 * modulus * radius, s.touch.mass, s.material.restitution);
       const Quad c_tangential = reference_dashpot(8 * shear * radius, s.touch.mass, s.material.restitution);
@@ -128,23 +128,23 @@ TEST(Dashpot, VanishesWithRestitutionOneAndWithoutOverlap) {
   s.material.restitution = 1.0;
   const laws::Normal pressed{1.0, 1e-3, 1e-3, 0.0}, stretched{-1.0, 1e-3, 0.0, 0.0};
   using Part = laws::damping::Restitution;
-  EXPECT_EQ(
-      Part::coefficients(pressed, 1.0, Part::mix(s.material, {}, laws::normal::Jkr::stiffness(s.material)))
-          .normal,
-      0.0);
+  EXPECT_EQ(Part::coefficients(pressed, 1.0,
+                               Part::mix(s.material, {}, laws::normal::Jkr::stiffness(s.material, {})))
+                .normal,
+            0.0);
   s.material.restitution = 0.3;
-  EXPECT_GT(
-      Part::coefficients(pressed, 1.0, Part::mix(s.material, {}, laws::normal::Jkr::stiffness(s.material)))
-          .normal,
-      0.0);
-  EXPECT_EQ(
-      Part::coefficients(stretched, 1.0, Part::mix(s.material, {}, laws::normal::Jkr::stiffness(s.material)))
-          .normal,
-      0.0);
-  EXPECT_EQ(
-      Part::coefficients(stretched, 1.0, Part::mix(s.material, {}, laws::normal::Jkr::stiffness(s.material)))
-          .tangential,
-      0.0);
+  EXPECT_GT(Part::coefficients(pressed, 1.0,
+                               Part::mix(s.material, {}, laws::normal::Jkr::stiffness(s.material, {})))
+                .normal,
+            0.0);
+  EXPECT_EQ(Part::coefficients(stretched, 1.0,
+                               Part::mix(s.material, {}, laws::normal::Jkr::stiffness(s.material, {})))
+                .normal,
+            0.0);
+  EXPECT_EQ(Part::coefficients(stretched, 1.0,
+                               Part::mix(s.material, {}, laws::normal::Jkr::stiffness(s.material, {})))
+                .tangential,
+            0.0);
 }
 
 }  // namespace
