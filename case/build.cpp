@@ -280,6 +280,7 @@ class Builder {
     const std::vector<std::size_t> inside = walls_with_inside(root_);
     if (!result.die && !result.region && inside.size() == 1) result.die = inside.front();
     result.cell_diameters = section.number("cell_diameters");
+    result.wall_window = section.optional_number("wall_window");
     result.column_diameters = section.number("column_diameters");
     return result;
   }

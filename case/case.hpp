@@ -166,7 +166,8 @@ struct MeasureChoice {
   std::optional<std::size_t> die;  ///< index into Case::walls: the box or cylinder whose inside is measured
   std::optional<Region> region;    ///< instead of a die
   double cell_diameters = 3.0;     ///< edge of a porosity cell in mean parcel diameters
-  double column_diameters = 2.0;   ///< edge of a free-surface column in mean parcel diameters
+  std::optional<double> wall_window;  ///< s over which forces on walls are averaged
+  double column_diameters = 2.0;      ///< edge of a free-surface column in mean parcel diameters
 };
 
 struct OutputChoice {

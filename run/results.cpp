@@ -108,6 +108,15 @@ Json to_json(const std::vector<Measure>& measures) {
   return json;
 }
 
+Json to_json(const std::vector<WallForce>& walls) {
+  const auto list = [](const Vec3& v) { return Json{v.x, v.y, v.z}; };
+  Json json = Json::object();
+  for (const WallForce& w : walls)
+    json[w.name] = {
+        {"force_N", list(w.load.force)}, {"torque_N_m", list(w.load.torque)}, {"window", w.window}};
+  return json;
+}
+
 Json to_json(const std::vector<Escape>& escapes) {
   Json list = Json::array();
   for (const Escape& e : escapes)
@@ -192,11 +201,12 @@ void Results::log(const Simulation& simulation, const std::string& phase) {
              static_cast<std::int64_t>(state.parcels.size()),
              static_cast<std::int64_t>(count_of(simulation.pairs().touching)),
              static_cast<std::int64_t>(count_of(simulation.walls().touching)),
-             measures::energies(sight.bodies, case_.gravity).kinetic(), fastest, overlap, highest,
-             state.ledger.inserted_mass, static_cast<std::int64_t>(state.ledger.escaped)});
+             measures::energies(sight.bodies, simulation.field().gravity).kinetic(), fastest, overlap,
+             highest, state.ledger.inserted_mass, static_cast<std::int64_t>(state.ledger.escaped)});
 }
 
-void Results::frame(const Simulation& simulation, const std::optional<measures::PorosityField>& porosity) {
+void Results::frame(const Simulation& simulation, const WallLoads& loads,
+                    const std::optional<measures::PorosityField>& porosity) {
   const double time = simulation.time();
   if (time == last_frame_) return;
   last_frame_ = time;
@@ -241,9 +251,15 @@ void Results::frame(const Simulation& simulation, const std::optional<measures::
   const WallMesh walls =
       mesh_of_walls(simulation.model().walls, simulation.model().domain,
                     [&](std::uint32_t body) -> const Pose& { return simulation.pose(body); });
-  const std::vector<Field> wall_fields = {{"body", std::span<const std::uint32_t>(walls.body)},
-                                          {"surface", std::span<const std::uint32_t>(walls.surface)}};
-  write_surface_vtp(folder_.file(file("walls", "vtp")), walls.mesh, wall_fields, time);
+  const WallFields bear = wall_fields(walls, loads, simulation);
+  const std::vector<Field> on_walls = {{"body", std::span<const std::uint32_t>(walls.body)},
+                                       {"wall", std::span<const std::uint32_t>(walls.wall)},
+                                       {"surface", std::span<const std::uint32_t>(walls.surface)},
+                                       {"pressure", std::span<const double>(bear.pressure)},
+                                       {"shear_stress", std::span<const double>(bear.shear_stress)},
+                                       {"normal_force", std::span<const double>(bear.normal_force)},
+                                       {"shear_force", std::span<const double>(bear.shear_force)}};
+  write_surface_vtp(folder_.file(file("walls", "vtp")), walls.mesh, on_walls, time);
   walls_.add(time, file("walls", "vtp"));
 
   if (!porosity) return;
@@ -323,7 +339,8 @@ void Results::write_result(const RunSummary& summary, const Simulation* simulati
                       {"start_s", p.start},
                       {"end_s", p.end},
                       {"ended_by", p.ended_by},
-                      {"measures", to_json(p.measures)}});
+                      {"measures", to_json(p.measures)},
+                      {"walls", to_json(p.walls)}});
   json["phases"] = phases;
   json["measures"] = summary.phases.empty() ? Json::object() : to_json(summary.phases.back().measures);
   json["warnings"] = summary.warnings;

@@ -13,6 +13,7 @@
 #include "output/vtk_series.hpp"
 #include "run/measuring.hpp"
 #include "run/time_step.hpp"
+#include "run/wall_results.hpp"
 
 namespace pulvis {
 
@@ -22,6 +23,7 @@ struct PhaseRecord {
   double start = 0.0, end = 0.0;  ///< s
   std::string ended_by;
   std::vector<Measure> measures;
+  std::vector<WallForce> walls;
 };
 
 /// How a run went.
@@ -49,8 +51,10 @@ class Results {
   void write_case(const std::vector<Override>& overrides);
   /// A line of log.csv.
   void log(const Simulation& simulation, const std::string& phase);
-  /// Parcels, walls and (if given) porosity for ParaView.
-  void frame(const Simulation& simulation, const std::optional<measures::PorosityField>& porosity);
+  /// Parcels, walls with what they bear, and (if given) porosity for ParaView.
+  void frame(const Simulation& simulation, const WallLoads& loads,
+             const std::optional<measures::PorosityField>& porosity);
+  WallResults& walls() { return wall_results_; }
   /// The die cut open, seen from obliquely above: picture.png if it is the `last`, else one in pictures/.
   void picture(const Simulation& simulation, const std::string& phase, bool last);
   /// result.json. `simulation` may be null if the run failed before it began. `ended`: the run is over, now
@@ -64,6 +68,7 @@ class Results {
   const Case& case_;
   const TimeStep& time_step_;
   RunFolder folder_;
+  WallResults wall_results_{folder_};
   std::unique_ptr<CsvLog> log_;
   VtkSeries parcels_, walls_, porosity_;
   double largest_overlap_ = 0.0;

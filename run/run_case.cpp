@@ -33,8 +33,11 @@ class Runner {
         simulation_(simulation_of(std::move(model), threads)),
         procedure_(c, simulation_),
         progress_(ProgressOptions::for_stderr()),
+        loads_(c, simulation_, log_interval(c)),
         frame_every_(every(c.output.interval)),
-        log_every_(every(log_interval(c))) {}
+        log_every_(every(log_interval(c))) {
+    if (!procedure_.finished()) loads_.begin_phase(procedure_.phase(), simulation_);
+  }
 
   void run(RunSummary& summary);
   const Simulation& simulation() const { return simulation_; }
@@ -80,6 +83,7 @@ class Runner {
   Simulation simulation_;
   Procedure procedure_;
   Progress progress_;
+  WallLoads loads_;
   std::uint64_t frame_every_, log_every_;
 };
 
@@ -120,14 +124,17 @@ void Runner::look(bool phase_ends, const std::string& phase) {
   if (phase_ends || (log_every_ && step % log_every_ == 0)) results_.log(simulation_, phase);
   if (phase_ends) return;
   if (frame_every_ && step % frame_every_ == 0)
-    results_.frame(simulation_, measure(case_, simulation_).porosity);
+    results_.frame(simulation_, loads_, measure(case_, simulation_).porosity);
 }
 
 void Runner::close_phase(const std::string& ended_by, bool run_ends, RunSummary& summary) {
   const Phase& phase = procedure_.phase();
-  const Measurement m = measure(case_, simulation_);
-  summary.phases.push_back({phase.name, procedure_.phase_start(), simulation_.time(), ended_by, m.list});
-  results_.frame(simulation_, m.porosity);
+  Measurement m = measure(case_, simulation_);
+  for (Measure& of_walls : wall_measures(case_, loads_, simulation_)) m.list.push_back(std::move(of_walls));
+  summary.phases.push_back({phase.name, procedure_.phase_start(), simulation_.time(), ended_by, m.list,
+                            wall_forces(loads_, simulation_)});
+  results_.frame(simulation_, loads_, m.porosity);
+  results_.walls().write_pressures(loads_, simulation_, phase.name);
   for (const std::size_t s : phase.sources) {
     const SourceState& source = simulation_.state().sources[s];
     if (source.done || (phase.until != Phase::Until::inserted && phase.until != Phase::Until::mass)) continue;
@@ -151,7 +158,7 @@ void Runner::show_progress(const RunSummary& summary) {
 
 void Runner::run(RunSummary& summary) {
   results_.log(simulation_, procedure_.phase().name);
-  results_.frame(simulation_, {});
+  results_.frame(simulation_, loads_, {});
   double mark = seconds_now();
   const auto since_mark = [&] {
     const double before = mark;
@@ -160,6 +167,7 @@ void Runner::run(RunSummary& summary) {
   };
   while (!procedure_.finished()) {
     simulation_.step();
+    if (loads_.after_step(simulation_)) results_.walls().log(loads_, simulation_, procedure_.phase().name);
     summary.particle_steps += simulation_.state().parcels.size();
     check_escapes();
     const auto ended = procedure_.ended();
@@ -173,6 +181,7 @@ void Runner::run(RunSummary& summary) {
       close_phase(*ended, false, summary);
       summary.looking_time += since_mark();
       procedure_.next_phase();
+      if (!procedure_.finished()) loads_.begin_phase(procedure_.phase(), simulation_);
     } else if (stop) {
       close_phase("stopped on request", true, summary);
       summary.exit = Exit::cancelled;

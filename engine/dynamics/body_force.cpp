@@ -29,8 +29,16 @@ ForceField BodyForce::at(double time) const {
       (ramp > 0.0 ? rotation * square(ramped) / (2.0 * ramp) : 0.0) + rotation * (time - ramped);
   field.gravity = Rigid::rotation(-turns, {}, axis).turn(field.gravity);
   const double full = 2.0 * pi * rotation;
-  field.spin = (ramp > 0.0 ? full * (ramped / ramp) : full) * axis;
+  field.spin = (full * share_of_rotation(time)) * axis;
   if (time < ramp) field.spin_rate = (full / ramp) * axis;
+  return field;
+}
+
+ForceField BodyForce::at(double time, double other) const {
+  ForceField field = at(time);
+  if (field.rotating && ramp > 0.0)
+    field.spin_rate =
+        (2.0 * pi * rotation * (share_of_rotation(other) - share_of_rotation(time)) / (other - time)) * axis;
   return field;
 }
 

@@ -14,13 +14,12 @@ struct ForceField {
   Vec3 spin;              ///< Omega, rad/s
   Vec3 spin_rate;         ///< dOmega/dt, rad/s^2
 
-  /// Acceleration at `x` that does not depend on velocity, m/s^2:
-  ///   g - Omega x (Omega x r) - dOmega/dt x r,  r = x - point
-  /// (gravity, centrifugal and Euler acceleration; L. D. Landau, E. M. Lifshitz, Mechanics, section 39).
+  /// Acceleration by gravity and the centrifugal force at `x`, m/s^2: g - Omega x (Omega x r), r = x - point.
+  /// What depends on velocity, and -dOmega/dt x r, are added where velocities change (integrate.cpp); all
+  /// after L. D. Landau, E. M. Lifshitz, Mechanics, section 39.
   PULVIS_INLINE Vec3 at(const Vec3& x) const {
     if (!rotating) return gravity;
-    const Vec3 r = x - point;
-    return gravity - cross(spin, cross(spin, r)) - cross(spin_rate, r);
+    return gravity - cross(spin, cross(spin, x - point));
   }
 };
 
@@ -36,10 +35,14 @@ struct BodyForce {
   Vec3 axis{0, 0, 1}, point{};  ///< unit vector; m
 
   ForceField at(double time) const;
+  /// The same, but for dOmega/dt, which is the mean from there to `other` (s): a half step over which the
+  /// speeding-up ends then gains what it should.
+  ForceField at(double time, double other) const;
   bool rotates() const { return rotation != 0.0; }
 
  private:
   Vec3 gravity_at_rest(double time) const;
+  double share_of_rotation(double time) const { return ramp > 0.0 ? least(time, ramp) / ramp : 1.0; }
 };
 
 }  // namespace pulvis

@@ -16,10 +16,11 @@ inline void kick(Parcel& p, const Load& load, double half_dt) {
 
 /// Half a step that begins with the velocities seen from a rotating frame.
 inline void kick_rotating_first(Parcel& p, const Load& load, const ForceField& field, double half_dt) {
-  const Vec3 coriolis = -2.0 * cross(field.spin, p.velocity);
+  const Vec3 by_frame =
+      -2.0 * cross(field.spin, p.velocity) - cross(field.spin_rate, p.position - field.point);
   const Vec3 turning = -cross(field.spin, p.spin) - field.spin_rate;
   kick(p, load, half_dt);
-  p.velocity += half_dt * coriolis;
+  p.velocity += half_dt * by_frame;
   p.spin += half_dt * turning;
 }
 
@@ -31,7 +32,8 @@ inline Vec3 solve_turning(const Vec3& w, const Vec3& b) {
 /// Half a step that ends with them.
 inline void kick_rotating_last(Parcel& p, const Load& load, const ForceField& field, double half_dt) {
   kick(p, load, half_dt);
-  p.velocity = solve_turning((2.0 * half_dt) * field.spin, p.velocity);
+  const Vec3 euler = -cross(field.spin_rate, p.position - field.point);
+  p.velocity = solve_turning((2.0 * half_dt) * field.spin, p.velocity + half_dt * euler);
   p.spin = solve_turning(half_dt * field.spin, p.spin - half_dt * field.spin_rate);
 }
 

@@ -27,9 +27,9 @@ StepNotice begin_step(Parcels& parcels, const Box& box, const ForceField& field,
 /// Sums each parcel's loads in a fixed order: body forces, pair contacts by the partner's id, walls by
 /// surface; then the second half of velocity Verlet. `field` is that of the end of the step.
 ///
-/// In a rotating frame Coriolis's acceleration -2 Omega x v (and, for the spin seen from the frame,
-/// -Omega x omega - dOmega/dt) takes the velocity before the first half kick and after the second, which is
-/// the trapezoidal rule: second order, and it does no work.
+/// In a rotating frame the accelerations -2 Omega x v - dOmega/dt x r (and, for the spin seen from the frame,
+/// -Omega x omega - dOmega/dt) take the velocity before the first half kick and after the second, which is the
+/// trapezoidal rule: second order.
 void end_step(Parcels& parcels, const NearPairs& pairs, const NearWalls& walls, const ForceField& field,
               double dt, int threads);
 

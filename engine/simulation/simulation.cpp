@@ -62,7 +62,7 @@ int Simulation::threads() const {
 void Simulation::step() {
   insert_due_parcels();
   const StepNotice notice =
-      begin_step(state_.parcels, model_.domain, field(), model_.dt, reference_, margin_, threads());
+      begin_step(state_.parcels, model_.domain, field_towards(0.5), model_.dt, reference_, margin_, threads());
   move_bodies_to(state_.step + 1);
   if (notice.outside || notice.too_fast) take_out_escaped(notice);
   if (notice.stale || a_body_left_its_margin()) rebuild();
@@ -70,7 +70,7 @@ void Simulation::step() {
   evaluator_.walls(walls_, state_.parcels, model_.walls, poses_, model_.classes, model_.dt, threads(),
                    crossings_);
   ++state_.step;
-  end_step(state_.parcels, pairs_, walls_, field(), model_.dt, threads());
+  end_step(state_.parcels, pairs_, walls_, field_towards(-0.5), model_.dt, threads());
   if (!crossings_.empty()) take_out_crossed();
 }
 

@@ -60,6 +60,10 @@ class Simulation {
   std::size_t memory() const;
 
  private:
+  /// Body forces now, for the half step that ends or began `steps` from now.
+  ForceField field_towards(double steps) const {
+    return model_.body_force.at(time(), time() + steps * model_.dt);
+  }
   void insert_due_parcels();
   bool clear_of_walls(const Vec3& centre, double radius) const;
   void move_bodies_to(std::uint64_t step);

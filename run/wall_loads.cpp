@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "run/wall_loads.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "case/units.hpp"
+#include "engine/contacts/wall_sight.hpp"
+#include "run/species.hpp"
+
+namespace pulvis {
+namespace {
+
+constexpr std::uint64_t steps_between_samples = 16;
+constexpr double tile_diameters = 3.0;
+
+/// The smallest box around each body's bounded surfaces has its middle here.
+std::vector<Vec3> middles_of_bodies(const Walls& walls) {
+  std::vector<Vec3> middles;
+  for (std::uint32_t b = 0; b < walls.bodies.size(); ++b) {
+    Vec3 low{1e300, 1e300, 1e300}, high = -low, point;
+    for (const Surface& s : walls.surfaces) {
+      if (s.body != b) continue;
+      if (!include(s, low, high)) point = s.centre;
+    }
+    for (const FacetedWall& mesh : walls.meshes)
+      if (walls.surfaces[mesh.first_surface].body == b) mesh.include(low, high);
+    middles.push_back(low.x <= high.x ? 0.5 * (low + high) : point);
+  }
+  return middles;
+}
+
+void scale(TileLoad& load, double by) {
+  load.normal *= by;
+  load.shear *= by;
+}
+void scale(WallLoad& load, double by) {
+  load.force *= by;
+  load.torque *= by;
+}
+
+WallWindow mean_of(const WallWindow& sums) {
+  WallWindow mean = sums;
+  const double by = sums.samples > 0 ? 1.0 / static_cast<double>(sums.samples) : 0.0;
+  for (auto* list : {&mean.walls, &mean.bodies})
+    for (WallLoad& load : *list) scale(load, by);
+  for (TileLoad& load : mean.tiles) scale(load, by);
+  for (auto& mesh : mean.facets)
+    for (TileLoad& load : mesh) scale(load, by);
+  return mean;
+}
+
+}  // namespace
+
+WallLoads::WallLoads(const Case& c, const Simulation& simulation, double default_window)
+    : case_(c),
+      walls_(simulation.model().walls),
+      tiling_(walls_, simulation.model().domain.min, simulation.model().domain.max,
+              tile_diameters * SizeSampler(parcel_sizes(c.powders.front())).mean()),
+      reference_(middles_of_bodies(walls_)),
+      default_window_(default_window) {
+  clear(simulation);
+}
+
+void WallLoads::clear(const Simulation& simulation) {
+  current_ = {};
+  current_.start = current_.end = simulation.time();
+  current_.walls.resize(walls_.names.size());
+  current_.bodies.resize(walls_.bodies.size());
+  current_.tiles.resize(tiling_.tiles().size());
+  for (const FacetedWall& mesh : walls_.meshes) current_.facets.emplace_back(mesh.mesh().triangles.size());
+  steps_in_window_ = 0;
+}
+
+void WallLoads::begin_phase(const Phase& phase, const Simulation& simulation) {
+  const double dt = simulation.model().dt;
+  double length = case_.measures.wall_window.value_or(default_window_);
+  cycles_ = false;
+  if (!phase.motions.empty())
+    if (const auto period = cycle(case_.motions[phase.motions.front()].motion)) {
+      // Whole cycles: as many as come closest to the window the case states, at least one.
+      const double stated = case_.measures.wall_window.value_or(*period);
+      length = std::max(1.0, std::round(stated / *period)) * *period;
+      cycles_ = true;
+    }
+  steps_per_window_ = static_cast<std::uint64_t>(std::max(1.0, std::round(length / dt)));
+  last_ = {};
+  clear(simulation);
+}
+
+bool WallLoads::after_step(const Simulation& simulation) {
+  if (++steps_in_window_ % steps_between_samples == 0 || steps_in_window_ == steps_per_window_)
+    sample(simulation);
+  if (steps_in_window_ < steps_per_window_) return false;
+  last_ = mean_of(current_);
+  clear(simulation);
+  return true;
+}
+
+void WallLoads::sample(const Simulation& simulation) {
+  const NearWalls& near = simulation.walls();
+  ++current_.samples;
+  current_.end = simulation.time();
+  for (const std::uint32_t slot : simulation.wall_slots_by_id()) {
+    if (!near.touching[slot]) continue;
+    const Surface& surface = walls_.surfaces[near.surface[slot]];
+    const Pose& pose = simulation.pose(surface.body);
+    const Vec3& centre = simulation.state().parcels.body[near.parcel[slot]].position;
+    const Load& load = near.load[slot];
+    const Vec3 arm = centre - pose.now(reference_[surface.body]);
+    const WallLoad on_wall{-load.force, -(cross(arm, load.force) + load.torque)};
+    for (WallLoad* sum : {&current_.walls[surface.wall], &current_.bodies[surface.body]}) {
+      sum->force += on_wall.force;
+      sum->torque += on_wall.torque;
+    }
+    const WallSight sight = look(walls_, near, slot, pose.now.back(centre));
+    const Vec3 force = pose.now.turn_back(on_wall.force), outward = sight.offset / sight.distance;
+    const double normal = dot(force, outward);
+    const auto add = [&](TileLoad& sum) {
+      sum.normal += normal;
+      sum.shear += force - normal * outward;
+    };
+    add(current_.tiles[tiling_.tile_of(near.surface[slot], sight.facet, sight.nearest.point)]);
+    if (surface.kind == Surface::Kind::patch) add(current_.facets[surface.mesh][sight.facet]);
+  }
+}
+
+const WallWindow& WallLoads::current_mean() const { return mean_ = mean_of(current_); }
+
+std::string WallLoads::window_text() const {
+  const WallWindow& w = window();
+  if (w.samples == 0) return "instantaneous";
+  return fmt::format("mean over {}{}", format_quantity(w.end - w.start, dimension::time),
+                     cycles_ && last_.samples > 0 ? ", whole cycles" : "");
+}
+
+double WallLoads::pressure(std::size_t tile) const {
+  return window().tiles[tile].normal / tiling_.tiles()[tile].area;
+}
+
+double WallLoads::largest_pressure(std::uint32_t body) const {
+  const WallWindow& w = window();
+  double largest = 0.0;
+  for (std::size_t t = 0; t < w.tiles.size(); ++t)
+    if (walls_.surfaces[tiling_.tiles()[t].surface].body == body)
+      largest = std::max(largest, w.tiles[t].normal / tiling_.tiles()[t].area);
+  return largest;
+}
+
+double WallLoads::mean_pressure(std::uint32_t body) const {
+  const WallWindow& w = window();
+  double force = 0.0, area = 0.0;
+  for (std::size_t t = 0; t < w.tiles.size(); ++t) {
+    if (walls_.surfaces[tiling_.tiles()[t].surface].body != body || w.tiles[t].normal == 0.0) continue;
+    force += w.tiles[t].normal;
+    area += tiling_.tiles()[t].area;
+  }
+  return area > 0.0 ? force / area : 0.0;
+}
+
+}  // namespace pulvis
