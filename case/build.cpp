@@ -160,8 +160,43 @@ class Builder {
   }
 
   static ContactChoice contact(const Section& section) {
-    return {section.text("normal"),  section.text("damping"),        section.text("sliding"),
-            section.text("rolling"), section.text("friction_limit"), section.text("damping_radius")};
+    ContactChoice c;
+    for (const auto& [key, field] : {std::pair{"normal", &c.normal},
+                                     {"cohesion", &c.cohesion},
+                                     {"damping", &c.damping},
+                                     {"sliding", &c.sliding},
+                                     {"rolling", &c.rolling},
+                                     {"twisting", &c.twisting},
+                                     {"friction_limit", &c.friction_limit},
+                                     {"cohesion_in_limit", &c.cohesion_in_limit},
+                                     {"damping_radius", &c.damping_radius}})
+      *field = section.text(key);
+    if (const std::string* form = section.optional_text("bridges_form")) c.bridges_form = *form;
+    c.tangential_damping = section.flag("tangential_damping");
+    for (const auto& [key, field] : {std::pair{"normal_stiffness", &c.normal_stiffness},
+                                     {"characteristic_speed", &c.characteristic_speed},
+                                     {"tangential_ratio", &c.tangential_ratio},
+                                     {"plastic_ratio", &c.plastic_ratio},
+                                     {"adhesion_ratio", &c.adhesion_ratio},
+                                     {"plasticity_depth", &c.plasticity_depth},
+                                     {"unloading_ratio", &c.unloading_ratio},
+                                     {"constant_pull", &c.constant_pull},
+                                     {"loading_exponent", &c.loading_exponent},
+                                     {"adhesion_exponent", &c.adhesion_exponent},
+                                     {"cohesion_energy_density", &c.cohesion_energy_density},
+                                     {"surface_tension", &c.surface_tension},
+                                     {"contact_angle", &c.contact_angle},
+                                     {"liquid_content", &c.liquid_content},
+                                     {"liquid_viscosity", &c.liquid_viscosity},
+                                     {"shortest_bridge_gap", &c.shortest_bridge_gap},
+                                     {"hamaker_constant", &c.hamaker_constant},
+                                     {"shortest_gap", &c.shortest_gap},
+                                     {"longest_gap", &c.longest_gap},
+                                     {"rolling_viscosity", &c.rolling_viscosity},
+                                     {"twisting_friction", &c.twisting_friction}})
+      *field = section.optional_number(key).value_or(*field);
+    c.contact_angle *= 2.0 * pi;  // angles of a case are in cycles
+    return c;
   }
 
   Wall wall(const Section& section, const std::string& folder) const {

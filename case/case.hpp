@@ -62,14 +62,25 @@ struct Powder {
   Keep keep = Keep::pull_off;               ///< which cohesion the softened powder preserves
 };
 
-/// Names of the contact law's parts and its named choices. Text is as in the catalogue of laws.
+/// Names of the contact law's parts and its named choices, text as in the catalogue of laws; and the numbers its
+/// parts need, of grains, alike for all pairs (see laws::MaterialPair).
 struct ContactChoice {
-  std::string normal = "hertz";            ///< hertz | jkr
-  std::string damping = "restitution";     ///< restitution (Tsuji) | none
-  std::string sliding = "total_spring";    ///< total_spring | none
-  std::string rolling = "none";            ///< elastic_plastic (EPSD2) | none
-  std::string friction_limit = "elastic";  ///< elastic | total
-  std::string damping_radius = "hertz";    ///< hertz | jkr_radius
+  std::string normal = "hertz", cohesion = "none", damping = "restitution", sliding = "total_spring";
+  std::string rolling = "none", twisting = "none";
+  std::string friction_limit = "elastic";      ///< elastic | total
+  std::string cohesion_in_limit = "standard";  ///< standard | without | with | shifted
+  std::string damping_radius = "hertz";        ///< hertz | jkr_radius
+  std::string bridges_form = "touch";          ///< touch | approach
+  bool tangential_damping = true;
+  double normal_stiffness = 0.0, characteristic_speed = 0.0, tangential_ratio = 1.0;
+  double plastic_ratio = 0.0, adhesion_ratio = 0.0, plasticity_depth = 0.0;
+  double unloading_ratio = 0.0, constant_pull = 0.0;  ///< the pull is positive here
+  double loading_exponent = 1.5, adhesion_exponent = 1.5;
+  double cohesion_energy_density = 0.0;
+  double surface_tension = 0.0, contact_angle = 0.0, liquid_content = 0.0, liquid_viscosity = 0.0;  ///< rad
+  double shortest_bridge_gap = 0.01;
+  double hamaker_constant = 0.0, shortest_gap = 0.0, longest_gap = 0.0;
+  double rolling_viscosity = 0.0, twisting_friction = 0.0;
 };
 
 /// A wall. Which of the fields count depends on its shape.

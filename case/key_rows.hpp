@@ -18,6 +18,9 @@ inline void append(Keys& keys, const Keys& more) { keys.insert(keys.end(), more.
 /// Title, domain, gravity, materials, pairs, powders, contact law.
 void append_matter(Keys& keys);
 
+/// Of these, the contact law.
+void append_contact(Keys& keys);
+
 /// Walls, motions, sources, phases.
 void append_process(Keys& keys);
 

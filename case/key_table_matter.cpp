@@ -330,52 +330,6 @@ void append_powders(Keys& keys) {
          });
 }
 
-void append_contact(Keys& keys) {
-  append(keys,
-         {
-             {.pattern = "contact",
-              .kind = table,
-              .help = "the parts of the contact law, between parcels and on walls"},
-             {.pattern = "contact.normal",
-              .kind = choice,
-              .example = R"("jkr")",
-              .standard = R"("hertz")",
-              .choices = {"hertz", "jkr"},
-              .help = "normal force: elastic spheres, or elastic spheres that adhere"},
-             {.pattern = "contact.damping",
-              .kind = choice,
-              .example = R"("restitution")",
-              .standard = R"("restitution")",
-              .choices = {"restitution", "none"},
-              .help = "normal dashpot: from the coefficient of restitution (Tsuji), or none"},
-             {.pattern = "contact.sliding",
-              .kind = choice,
-              .example = R"("total_spring")",
-              .standard = R"("total_spring")",
-              .choices = {"total_spring", "none"},
-              .help = "tangential force: spring with Coulomb's limit, or none"},
-             {.pattern = "contact.rolling",
-              .kind = choice,
-              .example = R"("elastic_plastic")",
-              .standard = R"("none")",
-              .choices = {"elastic_plastic", "none"},
-              .help = "rolling resistance: elastic-plastic spring (EPSD2), or none"},
-             {.pattern = "contact.friction_limit",
-              .kind = choice,
-              .example = R"("total")",
-              .standard = R"("elastic")",
-              .choices = {"elastic", "total"},
-              .help = "normal force in the friction limits: without its dashpot, or with it (as LIGGGHTS)"},
-             {.pattern = "contact.damping_radius",
-              .kind = choice,
-              .example = R"("jkr_radius")",
-              .standard = R"("hertz")",
-              .choices = {"hertz", "jkr_radius"},
-              .help = "stiffness that damping uses under JKR: Hertz's at the same overlap, or that of the "
-                      "JKR contact radius"},
-         });
-}
-
 }  // namespace
 
 void append_matter(Keys& keys) {

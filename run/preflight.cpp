@@ -116,7 +116,9 @@ void add_warnings(const Case& c, const Assembly& a, Forecast& f) {
                       p.first, p.second, a.time_step.characteristic_speed, 100 * p.impact_overlap));
   }
   for (const PairProperties& p : a.pairs) {
-    if (p.real.work_of_adhesion == 0.0 || c.contact.normal == "jkr") continue;
+    if (p.real.work_of_adhesion == 0.0 || c.contact.normal == "jkr" || c.contact.normal == "edinburgh" ||
+        c.contact.cohesion == "dmt")
+      continue;
     f.warnings.push_back(
         fmt::format("{} / {} has surface energy, but contact.normal = \"{}\" knows no adhesion",
                     a.species[p.first].name, a.species[p.second].name, c.contact.normal));

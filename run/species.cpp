@@ -30,6 +30,40 @@ const PairOverride* find_override(const Case& c, std::size_t a, std::size_t b) {
   return nullptr;
 }
 
+void add_law_numbers(const ContactChoice& c, laws::MaterialPair& pair) {
+  pair.rolling_viscosity = c.rolling_viscosity;
+  pair.twisting_friction = c.twisting_friction;
+  pair.normal_stiffness = c.normal_stiffness;
+  pair.characteristic_speed = c.characteristic_speed;
+  pair.tangential_ratio = c.tangential_ratio;
+  pair.plastic_ratio = c.plastic_ratio;
+  pair.adhesion_ratio = c.adhesion_ratio;
+  pair.plasticity_depth = c.plasticity_depth;
+  pair.unloading_ratio = c.unloading_ratio;
+  pair.constant_pull = -c.constant_pull;
+  pair.cohesion_energy_density = c.cohesion_energy_density;
+  pair.surface_tension = c.surface_tension;
+  pair.contact_angle = c.contact_angle;
+  pair.liquid_content = c.liquid_content;
+  pair.liquid_viscosity = c.liquid_viscosity;
+  pair.shortest_bridge_gap = c.shortest_bridge_gap;
+  pair.hamaker_constant = c.hamaker_constant;
+  pair.shortest_gap = c.shortest_gap;
+  pair.longest_gap = c.longest_gap;
+}
+
+/// Stress similarity: at the same overlap or gap over the radius, forces grow with alpha^2.
+void scale_to_parcels(double alpha, laws::MaterialPair& pair) {
+  pair.work_of_adhesion *= alpha;
+  pair.normal_stiffness *= alpha;
+  pair.constant_pull *= alpha * alpha;
+  pair.surface_tension *= alpha;
+  pair.liquid_viscosity *= alpha;
+  pair.hamaker_constant *= alpha * alpha * alpha;
+  pair.shortest_gap *= alpha;
+  pair.longest_gap *= alpha;
+}
+
 laws::MaterialPair real_pair(const Case& c, const Species& a, const Species& b) {
   const Material &ma = c.materials[a.material], &mb = c.materials[b.material];
   laws::MaterialPair pair;
@@ -41,6 +75,7 @@ laws::MaterialPair real_pair(const Case& c, const Species& a, const Species& b) 
   pair.friction = mix(c.mixing, ma.friction, mb.friction);
   pair.rolling_friction = mix(c.mixing, ma.rolling_friction, mb.rolling_friction);
   pair.work_of_adhesion = 2.0 * root(ma.surface_energy * mb.surface_energy);
+  add_law_numbers(c.contact, pair);
   if (const PairOverride* own = find_override(c, a.material, b.material)) {
     pair.restitution = own->restitution.value_or(pair.restitution);
     pair.friction = own->friction.value_or(pair.friction);
@@ -61,7 +96,7 @@ laws::MaterialPair simulated_pair(const Case& c, const Species& a, const Species
   if (pair.work_of_adhesion > 0.0 && softened.is_softened() &&
       c.powders[softened.powder].keep == Powder::Keep::sticking_speed)
     pair.work_of_adhesion *= power(pair.effective_modulus / real_modulus, 0.4);
-  pair.work_of_adhesion *= a.is_powder ? a.coarse_graining : b.coarse_graining;
+  scale_to_parcels(a.is_powder ? a.coarse_graining : b.coarse_graining, pair);
   return pair;
 }
 

@@ -34,6 +34,10 @@ double characteristic_speed(const Case& c, const Walls& walls);
 ///   hertz                laws::hertz_contact_time at the characteristic speed   per pair
 ///   cohesive stiffness   sqrt(m*/k), k the JKR stiffness at zero overlap        per adhesive pair
 ///   cohesive speed       delta_c/(10 v_s), v_s the sticking speed               per adhesive pair
+///   linear spring        pi sqrt(m*/k), k the largest stiffness of hooke, luding   per pair
+///   unloading            the hertz limit over sqrt(k_2/k_1) of edinburgh           per pair
+///   liquid               m*/c, c the largest damping of a bridge                   per pair
+///   van der Waals        sqrt(m*/k), k the slope of the pull at the shortest gap   per pair
 TimeStep choose_time_step(const Case& c, const std::vector<Species>& species,
                           const std::vector<PairProperties>& pairs, const Walls& walls,
                           const std::vector<double>& smallest_radius);

@@ -10,7 +10,7 @@ namespace pulvis {
 
 /// A law with the constants of one pair of species, ready to run.
 struct ContactClass {
-  std::size_t law = 0;  ///< index in laws::catalogue()
+  laws::Law law;
   laws::PairConstants constants{};
   kernels::ContactKernel kernel{};
 };
@@ -30,11 +30,16 @@ class ContactClasses {
   const std::vector<ContactClass>& all() const { return classes_; }
   std::size_t species() const { return species_; }
 
+  /// Widest gap, m, at which any contact can begin on approach; 0 for most laws.
+  double longest_approach(double radius) const {
+    double gap = 0.0;
+    for (const auto& c : classes_) gap = greatest(gap, c.law.formation_gap(radius, c.constants));
+    return gap;
+  }
   /// Largest gap, m, to which any contact can stretch if no reduced radius exceeds `radius`.
   double longest_reach(double radius) const {
     double reach = 0.0;
-    for (const auto& c : classes_)
-      reach = greatest(reach, laws::catalogue()[c.law].separation_gap(radius, c.constants));
+    for (const auto& c : classes_) reach = greatest(reach, c.law.separation_gap(radius, c.constants));
     return reach;
   }
 

@@ -24,6 +24,12 @@ inline void stage_history(ContactBlock& b, int k, std::uint32_t slot, bool touch
   b.touching[k] = touching ? 1.0 : 0.0;
   put(b.slide, k, history.slide);
   put(b.roll, k, history.roll);
+  b.plastic[k] = history.plastic;
+  b.adhesion[k] = history.adhesion;
+  b.grip[k] = history.grip;
+}
+inline laws::History history_of(const ContactBlock& b, int k) {
+  return {get(b.slide, k), get(b.roll, k), b.plastic[k], b.adhesion[k], b.grip[k]};
 }
 
 void finish_pairs(ContactBlock& b, const ContactClass& contact, NearPairs& near, double dt) {
@@ -31,7 +37,7 @@ void finish_pairs(ContactBlock& b, const ContactClass& contact, NearPairs& near,
   for (int k = 0; k < b.count; ++k) {
     const std::uint32_t slot = b.slot[k];
     near.touching[slot] = b.touching[k] > 0.5;
-    near.history[slot] = {get(b.slide, k), get(b.roll, k)};
+    near.history[slot] = history_of(b, k);
     near.load[slot] = {get(b.force, k), get(b.torque_first, k), get(b.torque_second, k)};
   }
   b.count = 0;
@@ -42,7 +48,7 @@ void finish_walls(ContactBlock& b, const ContactClass& contact, NearWalls& near,
   for (int k = 0; k < b.count; ++k) {
     const std::uint32_t slot = b.slot[k];
     near.touching[slot] = b.touching[k] > 0.5;
-    near.history[slot] = {get(b.slide, k), get(b.roll, k)};
+    near.history[slot] = history_of(b, k);
     near.load[slot] = {get(b.force, k), get(b.torque_first, k)};
   }
   b.count = 0;
@@ -119,7 +125,8 @@ void stage_wall(ContactBlock& b, std::uint32_t slot, const Parcel& p, const Wall
 
 }  // namespace
 
-ContactEvaluator::ContactEvaluator(int most_threads, std::size_t classes) {
+ContactEvaluator::ContactEvaluator(int most_threads, std::size_t classes, double approach)
+    : approach_(approach) {
   scratch_.resize(static_cast<std::size_t>(std::max(most_threads, 1)));
   for (auto& s : scratch_) s.block.resize(classes);
 }
@@ -133,7 +140,7 @@ void ContactEvaluator::pairs(NearPairs& near, const Parcels& parcels, const Cont
       const Parcel& p = body[near.first[s]];
       const Parcel& q = body[near.second[s]];
       const Vec3 offset = nearest(q.position - p.position);
-      const double sum = p.radius + q.radius;
+      const double sum = p.radius + q.radius + approach_;
       if (!near.touching[s] && !(dot(offset, offset) < sum * sum)) continue;
       const std::uint32_t c = classes.index(p.species, q.species);
       ContactBlock& b = blocks[c];
@@ -149,7 +156,7 @@ void ContactEvaluator::pairs(NearPairs& near, const Parcels& parcels, const Cont
 /// that changes surfaces there takes its memory along: it ends by its law only. Returns through `owner` the
 /// slot, from the parcel's first, that each contact now belongs to.
 void ContactEvaluator::settle_edges(NearWalls& near, std::uint32_t i, const Parcel& p, const Walls& walls,
-                                    std::span<const Pose> poses, Scratch& scratch) {
+                                    std::span<const Pose> poses, Scratch& scratch) const {
   const std::uint32_t begin = near.begin[i], count = near.begin[i + 1] - begin;
   scratch.sights.resize(count);
   scratch.owner.resize(count);
@@ -161,7 +168,8 @@ void ContactEvaluator::settle_edges(NearWalls& near, std::uint32_t i, const Parc
   bool any = false;
   for (std::uint32_t k = 0; k < count; ++k) {
     const WallSight& sight = scratch.sights[k];
-    if (sight.nearest.in_face || !(near.touching[begin + k] || sight.distance < p.radius)) continue;
+    if (sight.nearest.in_face || !(near.touching[begin + k] || sight.distance < p.radius + approach_))
+      continue;
     scratch.owner[k] = owner_of_edge(near, begin, scratch.sights, k, p.radius, walls);
     any |= scratch.owner[k] != k;
   }
@@ -201,7 +209,7 @@ void ContactEvaluator::walls(NearWalls& near, const Parcels& parcels, const Wall
         const Vec3 at = pose.now.back(p.position), before_at = pose.before.back(p.position - dt * p.velocity);
         if (crossed(walls, near, slot, sight, before_at, at))
           scratch.crossings.push_back({i, near.surface[slot]});
-        const bool in_reach = near.touching[slot] || sight.distance < p.radius;
+        const bool in_reach = near.touching[slot] || sight.distance < p.radius + approach_;
         if (!in_reach || sight.distance == 0.0 || scratch.owner[slot - begin] != slot - begin) continue;
         const std::uint32_t c = classes.index(p.species, surface.species);
         ContactBlock& b = scratch.block[c];

@@ -21,7 +21,8 @@ struct Crossing {
 /// each result depends on its own contact alone.
 class ContactEvaluator {
  public:
-  ContactEvaluator(int most_threads, std::size_t classes);
+  /// `approach` is the widest gap at which a contact can begin, m.
+  ContactEvaluator(int most_threads, std::size_t classes, double approach);
 
   void pairs(NearPairs& near, const Parcels& parcels, const ContactClasses& classes,
              const NearestImage& nearest, double dt, int threads);
@@ -36,10 +37,11 @@ class ContactEvaluator {
     std::vector<WallSight> sights;     ///< of one parcel, per slot
     std::vector<std::uint32_t> owner;  ///< of one parcel, per slot: see settle_edges
   };
-  static void settle_edges(NearWalls& near, std::uint32_t parcel, const Parcel& p, const Walls& walls,
-                           std::span<const Pose> poses, Scratch& scratch);
+  void settle_edges(NearWalls& near, std::uint32_t parcel, const Parcel& p, const Walls& walls,
+                    std::span<const Pose> poses, Scratch& scratch) const;
 
   std::vector<Scratch> scratch_;
+  double approach_ = 0.0;
 };
 
 }  // namespace pulvis

@@ -7,13 +7,13 @@
 namespace pulvis::kernels {
 
 namespace baseline {
-ContactKernel contact_kernel(std::size_t law);
+ContactKernel contact_kernel(const laws::Law& law);
 }
 namespace avx2 {
-ContactKernel contact_kernel(std::size_t law);
+ContactKernel contact_kernel(const laws::Law& law);
 }
 namespace avx512 {
-ContactKernel contact_kernel(std::size_t law);
+ContactKernel contact_kernel(const laws::Law& law);
 }
 
 namespace {
@@ -50,7 +50,7 @@ const char* name_of(InstructionSet set) {
   return "baseline";
 }
 
-ContactKernel contact_kernel(std::size_t law, InstructionSet set) {
+ContactKernel contact_kernel(const laws::Law& law, InstructionSet set) {
   switch (set) {
     case InstructionSet::avx512:
       return avx512::contact_kernel(law);

@@ -3,9 +3,11 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "engine/laws/catalogue.hpp"
+
 namespace pulvis::kernels {
 
-inline constexpr int block_size = 64;  // 64 contacts x about 45 numbers: 23 KiB, stays in the inner caches
+inline constexpr int block_size = 64;  // 64 contacts x about 58 numbers: 29 KiB, stays in the inner caches
 
 using Lane = double[block_size];
 struct Lanes3 {
@@ -33,17 +35,44 @@ struct ContactBlock {
 
   Lanes3 spin_first, spin_second;  ///< mid-step
   alignas(64) Lane touching;       ///< in: before this step; out: now
-  Lanes3 slide, roll;              ///< history, in and out
+  Lanes3 slide, roll;              ///< history, in and out, as all below
+  alignas(64) Lane plastic, adhesion, grip;
+
+  // Between the stages of a law, see laws/contact_law.hpp.
+  alignas(64) Lane in_reach;                                          ///< from the reach of cohesion
+  alignas(64) Lane contact_size, elastic, damping_size, limit_shift;  ///< from the normal law
+  Lanes3 slip;  ///< from the dashpots, as in the next line
+  alignas(64) Lane closing, normal_force, limiting_force, tangential_damping;
+  alignas(64) Lane drag;  ///< from cohesion, kg/s
 
   // Results.
   Lanes3 force;                        ///< on the first
   Lanes3 torque_first, torque_second;  ///< about the centres
 };
 
-/// The two entry points of one law: contacts of parcels, and of parcels with walls.
-struct ContactKernel {
-  void (*parcels)(ContactBlock& block, const double* pair_constants, double dt);
-  void (*walls)(ContactBlock& block, const double* pair_constants, double dt);
+/// A law as stages, each a loop over the block, in the order of laws/contact_law.hpp. One set of stages for each
+/// part, so code grows with the sum of the parts; stages that a law does without are null.
+class ContactKernel {
+ public:
+  using Stage = void (*)(ContactBlock& block, const double* pair_constants, double dt);
+
+  /// Contacts of parcels.
+  void parcels(ContactBlock& block, const double* pair_constants, double dt) const {
+    geometry(block, pair_constants, dt);
+    for (int k = 0; k < law_stages; ++k) law[k](block, pair_constants, dt);
+  }
+  /// Contacts of parcels with walls, staged with their geometry.
+  void walls(ContactBlock& block, const double* pair_constants, double dt) const {
+    if (wall_sizes) wall_sizes(block, pair_constants, dt);
+    for (int k = 0; k < law_stages; ++k) law[k](block, pair_constants, dt);
+  }
+  void append(Stage stage) { law[law_stages++] = stage; }
+
+  Stage geometry = nullptr, wall_sizes = nullptr;
+
+ private:
+  Stage law[8] = {};
+  int law_stages = 0;
 };
 
 /// Instruction sets the kernels are compiled for.
@@ -54,7 +83,7 @@ enum class InstructionSet { baseline, avx2, avx512 };
 InstructionSet instruction_set();
 const char* name_of(InstructionSet);
 
-/// Kernel of the law with this index in laws::catalogue(). `set` must be one the processor has.
-ContactKernel contact_kernel(std::size_t law, InstructionSet set);
+/// Kernel of a law. `set` must be one the processor has.
+ContactKernel contact_kernel(const laws::Law& law, InstructionSet set);
 
 }  // namespace pulvis::kernels

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Compiled once per instruction set; PULVIS_ISA is that set's name. Everything called from the loops is
 // forced inline, so no code for a newer processor can leak into shared functions.
-#include <cstring>
+#include <array>
 
 #include "engine/kernels/contact_block.hpp"
 #include "engine/laws/catalogue.hpp"
@@ -40,56 +40,268 @@ PULVIS_INLINE void derive_geometry(ContactBlock& b, int k, double dt) {
   b.half_arm_second[k] = r2 - 0.5 * half_overlap;
 }
 
-template <class Law>
-PULVIS_INLINE void evaluate(ContactBlock& b, int k, const typename Law::Pair& pair, double dt) {
-  const Vec3 normal = load(b.normal, k), half_normal = load(b.half_normal, k);
+/// A contact as the parts of a law see it. Fields that a part does not ask for are never loaded.
+PULVIS_INLINE void look(const ContactBlock& b, int k, double dt, laws::Touch& touch) {
   const Vec3 spin_first = load(b.spin_first, k), spin_second = load(b.spin_second, k);
-  const double arm_first = b.arm_first[k], arm_second = b.arm_second[k];
   const Vec3 surface = b.half_arm_first[k] * spin_first + b.half_arm_second[k] * spin_second;
-  const laws::Touch touch{b.overlap[k],
-                          b.radius[k],
-                          b.mass[k],
-                          b.touching[k],
-                          normal,
-                          half_normal,
-                          load(b.velocity, k) + cross(surface, half_normal),
-                          spin_first - spin_second,
-                          dt};
-  const laws::History old{load(b.slide, k), load(b.roll, k)};
-
-  const laws::Response r = Law::evaluate(touch, old, pair);
-
-  const Vec3 moment = cross(normal, r.tangential);
-  b.touching[k] = r.touching;
-  store(b.force, k, r.force);
-  store(b.torque_first, k, arm_first * moment + r.roll_torque);
-  store(b.torque_second, k, arm_second * moment - r.roll_torque);
-  store(b.slide, k, r.history.slide);
-  store(b.roll, k, r.history.roll);
+  touch.overlap = b.overlap[k];
+  touch.radius = b.radius[k];
+  touch.mass = b.mass[k];
+  touch.was_touching = b.touching[k];
+  touch.normal = load(b.normal, k);
+  touch.half_normal = load(b.half_normal, k);
+  touch.velocity = load(b.velocity, k) + cross(surface, touch.half_normal);
+  touch.spin = spin_first - spin_second;
+  touch.dt = dt;
+  touch.shared_spin = 0.5 * dot(spin_first + spin_second, touch.half_normal);
+  touch.radius_first = b.radius_first[k];
+  touch.radius_second = b.radius_second[k];
+  touch.mass_first = b.mass_first[k];
+  touch.mass_second = b.mass_second[k];
 }
 
-template <class Law>
-static void apply(ContactBlock& b, const double* pair_constants, double dt) {
-  typename Law::Pair pair;
-  std::memcpy(static_cast<void*>(&pair), pair_constants, sizeof pair);
-  const int count = b.count;
-#pragma omp simd
-  for (int k = 0; k < count; ++k) evaluate<Law>(b, k, pair, dt);
+PULVIS_INLINE void put_wall_sizes(ContactBlock& b, int k) {
+  b.radius_first[k] = b.radius[k];
+  b.radius_second[k] = 0.0;
+  b.mass_first[k] = b.mass[k];
+  b.mass_second[k] = 0.0;
 }
 
-template <class Law>
-static void apply_to_parcels(ContactBlock& b, const double* pair_constants, double dt) {
+template <class Part>
+PULVIS_INLINE void evaluate_reach(ContactBlock& b, int k, const typename Part::Pair& pair) {
+  laws::Touch touch;
+  look(b, k, 0.0, touch);
+  b.in_reach[k] = laws::touches(touch.overlap, touch.was_touching, Part::formation_gap(touch, pair),
+                                Part::separation_gap(touch, pair));
+}
+
+template <class Part>
+PULVIS_INLINE void evaluate_normal(ContactBlock& b, int k, const typename Part::Pair& pair) {
+  laws::Touch touch;
+  look(b, k, 0.0, touch);
+  const double gap = Part::separation_gap(touch.radius, pair);
+  const double touching = laws::touches(touch.overlap, touch.was_touching, 0.0, gap);
+  double plastic = 0.0, adhesion = 0.0;
+  if constexpr (Part::remembers) plastic = b.plastic[k], adhesion = b.adhesion[k];
+  const laws::Normal n = Part::normal(touch, pair, plastic, adhesion);
+  b.touching[k] = touching;
+  b.elastic[k] = n.elastic;
+  b.contact_size[k] = n.contact_size;
+  b.damping_size[k] = n.damping_size;
+  b.limit_shift[k] = n.limit_shift;
+  if constexpr (Part::remembers) b.plastic[k] = touching * plastic, b.adhesion[k] = touching * adhesion;
+}
+
+template <class Part>
+PULVIS_INLINE void evaluate_damping(ContactBlock& b, int k, const typename Part::Pair& pair,
+                                    const laws::Whole& whole) {
+  laws::Touch touch;
+  look(b, k, 0.0, touch);
+  const laws::Normal n{b.elastic[k], b.contact_size[k], b.damping_size[k], b.limit_shift[k]};
+  const laws::Dashpots c = Part::coefficients(n, touch.mass, pair);
+  const double closing = laws::closing_speed(touch);
+  b.closing[k] = closing;
+  store(b.slip, k, laws::slip_velocity(touch, closing));
+  const double dashpot = c.normal * closing;
+  b.normal_force[k] = n.elastic + dashpot;
+  b.limiting_force[k] = laws::limiting_force(n, dashpot, whole);
+  b.tangential_damping[k] = c.tangential;
+}
+
+template <class Part>
+PULVIS_INLINE void evaluate_cohesion(ContactBlock& b, int k, const typename Part::Pair& pair,
+                                     const laws::Whole& whole) {
+  laws::Touch touch;
+  look(b, k, 0.0, touch);
+  if constexpr (Part::reaches) b.touching[k] = greatest(touch.was_touching, b.in_reach[k]);
+  const laws::Attraction a = Part::attraction(touch, pair);
+  b.normal_force[k] = b.normal_force[k] - a.pull + a.viscous_normal * b.closing[k];
+  b.limiting_force[k] = laws::limiting_force(b.limiting_force[k], b.contact_size[k], a, whole);
+  if constexpr (Part::is_viscous) b.drag[k] = a.viscous_tangential;
+}
+
+/// Also puts the forces together, and the torques they exert about the centres.
+template <class Part>
+PULVIS_INLINE void evaluate_sliding(ContactBlock& b, int k, const typename Part::Pair& pair, double dt) {
+  laws::Touch touch;
+  look(b, k, dt, touch);
+  Vec3 spring = load(b.slide, k);
+  double grip = 0.0;
+  if constexpr (Part::remembers_grip) grip = b.grip[k];
+  const double size = b.contact_size[k];
+  const Vec3 tangential = Part::slide(touch, load(b.slip, k), size, magnitude(b.limiting_force[k]),
+                                      b.tangential_damping[k], pair, spring, grip);
+  const double touching = b.touching[k], held = select(size > 0.0, touching, 0.0);
+  store(b.slide, k, held * spring);
+  if constexpr (Part::remembers_grip) b.grip[k] = held * grip;
+  store(b.force, k, touching * (tangential - b.normal_force[k] * touch.normal));
+  const Vec3 moment = cross(touch.normal, touching * tangential);
+  store(b.torque_first, k, b.arm_first[k] * moment);
+  store(b.torque_second, k, b.arm_second[k] * moment);
+}
+
+template <class Rolling, class Twisting>
+PULVIS_INLINE void evaluate_rolling(ContactBlock& b, int k, const typename Rolling::Pair& rolling,
+                                    const typename Twisting::Pair& twisting, double dt) {
+  laws::Touch touch;
+  look(b, k, dt, touch);
+  const double size = b.contact_size[k], limit = magnitude(b.limiting_force[k]);
+  const double held = select(size > 0.0, touch.was_touching, 0.0);
+  Vec3 spring = load(b.roll, k);
+  double twist = 0.0;
+  if constexpr (Twisting::acts) {
+    const Vec3 before = laws::normal_before(touch.normal, touch.half_normal);
+    const double old_twist = dot(spring, before);
+    spring = spring - old_twist * before;
+    twist = Twisting::twist(touch, size, limit, old_twist, twisting);
+  }
+  Vec3 torque = Rolling::roll(touch, size, limit, rolling, spring);
+  if constexpr (Twisting::acts) {
+    torque = torque + twist * touch.normal;
+    spring = spring + twist * touch.normal;
+  }
+  const Vec3 acting = held * torque;
+  store(b.roll, k, held * spring);
+  store(b.torque_first, k, load(b.torque_first, k) + acting);
+  store(b.torque_second, k, load(b.torque_second, k) - acting);
+}
+
+PULVIS_INLINE void evaluate_drag(ContactBlock& b, int k) {
+  const Vec3 normal = load(b.normal, k);
+  const Vec3 drag = b.touching[k] * laws::drag_force(load(b.slip, k), normal, b.drag[k]);
+  const Vec3 moment = cross(normal, drag);
+  store(b.force, k, load(b.force, k) + drag);
+  store(b.torque_first, k, load(b.torque_first, k) + b.arm_first[k] * moment);
+  store(b.torque_second, k, load(b.torque_second, k) + b.arm_second[k] * moment);
+}
+
+// --- the stages: loops over the block ---------------------------------------------------------------------
+
+static void geometry_stage(ContactBlock& b, const double*, double dt) {
   const int count = b.count;
 #pragma omp simd
   for (int k = 0; k < count; ++k) derive_geometry(b, k, dt);
-  apply<Law>(b, pair_constants, dt);
 }
 
-ContactKernel contact_kernel(std::size_t law) {
-  ContactKernel kernel[laws::law_count];
-  std::size_t k = 0;
-  laws::for_each_law([&]<class Law>() { kernel[k++] = {apply_to_parcels<Law>, apply<Law>}; });
-  return kernel[law];
+static void wall_sizes_stage(ContactBlock& b, const double*, double) {
+  const int count = b.count;
+#pragma omp simd
+  for (int k = 0; k < count; ++k) put_wall_sizes(b, k);
+}
+
+template <class Part>
+static void reach_stage(ContactBlock& b, const double* constants, double) {
+  const auto pair = laws::unpack<typename Part::Pair>(constants, laws::Place::cohesion);
+  const int count = b.count;
+#pragma omp simd
+  for (int k = 0; k < count; ++k) evaluate_reach<Part>(b, k, pair);
+}
+
+template <class Part>
+static void normal_stage(ContactBlock& b, const double* constants, double) {
+  const auto pair = laws::unpack<typename Part::Pair>(constants, laws::Place::normal);
+  const int count = b.count;
+#pragma omp simd
+  for (int k = 0; k < count; ++k) evaluate_normal<Part>(b, k, pair);
+}
+
+template <class Part>
+static void damping_stage(ContactBlock& b, const double* constants, double) {
+  const auto pair = laws::unpack<typename Part::Pair>(constants, laws::Place::damping);
+  const auto whole = laws::unpack<laws::Whole>(constants, laws::Place::whole);
+  const int count = b.count;
+#pragma omp simd
+  for (int k = 0; k < count; ++k) evaluate_damping<Part>(b, k, pair, whole);
+}
+
+template <class Part>
+static void cohesion_stage(ContactBlock& b, const double* constants, double) {
+  const auto pair = laws::unpack<typename Part::Pair>(constants, laws::Place::cohesion);
+  const auto whole = laws::unpack<laws::Whole>(constants, laws::Place::whole);
+  const int count = b.count;
+#pragma omp simd
+  for (int k = 0; k < count; ++k) evaluate_cohesion<Part>(b, k, pair, whole);
+}
+
+template <class Part>
+static void sliding_stage(ContactBlock& b, const double* constants, double dt) {
+  const auto pair = laws::unpack<typename Part::Pair>(constants, laws::Place::sliding);
+  const int count = b.count;
+#pragma omp simd
+  for (int k = 0; k < count; ++k) evaluate_sliding<Part>(b, k, pair, dt);
+}
+
+template <class Rolling, class Twisting>
+static void rolling_stage(ContactBlock& b, const double* constants, double dt) {
+  const auto rolling = laws::unpack<typename Rolling::Pair>(constants, laws::Place::rolling);
+  const auto twisting = laws::unpack<typename Twisting::Pair>(constants, laws::Place::twisting);
+  const int count = b.count;
+#pragma omp simd
+  for (int k = 0; k < count; ++k) evaluate_rolling<Rolling, Twisting>(b, k, rolling, twisting, dt);
+}
+
+static void drag_stage(ContactBlock& b, const double*, double) {
+  const int count = b.count;
+#pragma omp simd
+  for (int k = 0; k < count; ++k) evaluate_drag(b, k);
+}
+
+// --- the stages of a law ----------------------------------------------------------------------------------
+
+using Stage = ContactKernel::Stage;
+
+template <class... Parts>
+static Stage normal_stage_of(laws::PartList<Parts...>, std::size_t index) {
+  return std::array{normal_stage<Parts>...}[index];
+}
+template <class... Parts>
+static Stage damping_stage_of(laws::PartList<Parts...>, std::size_t index) {
+  return std::array{damping_stage<Parts>...}[index];
+}
+template <class... Parts>
+static Stage sliding_stage_of(laws::PartList<Parts...>, std::size_t index) {
+  return std::array{sliding_stage<Parts>...}[index];
+}
+template <class Twisting, class... Parts>
+static Stage rolling_stage_of(laws::PartList<Parts...>, std::size_t index) {
+  return std::array{rolling_stage<Parts, Twisting>...}[index];
+}
+
+/// Not every part of cohesion has each stage; those that are not there are null.
+template <class Part>
+static constexpr Stage reach_stage_if_any() {
+  if constexpr (Part::reaches) return reach_stage<Part>;
+  return nullptr;
+}
+template <class Part>
+static constexpr Stage cohesion_stage_if_any() {
+  if constexpr (Part::acts) return cohesion_stage<Part>;
+  return nullptr;
+}
+template <class... Parts>
+static Stage reach_stage_of(laws::PartList<Parts...>, std::size_t index) {
+  return std::array<Stage, sizeof...(Parts)>{reach_stage_if_any<Parts>()...}[index];
+}
+template <class... Parts>
+static Stage cohesion_stage_of(laws::PartList<Parts...>, std::size_t index) {
+  return std::array<Stage, sizeof...(Parts)>{cohesion_stage_if_any<Parts>()...}[index];
+}
+
+ContactKernel contact_kernel(const laws::Law& law) {
+  ContactKernel kernel;
+  kernel.geometry = geometry_stage;
+  if (law.cohesion->needs_sizes || law.rolling->needs_sizes) kernel.wall_sizes = wall_sizes_stage;
+  if (law.cohesion->reaches) kernel.append(reach_stage_of(laws::CohesionParts{}, law.cohesion->index));
+  kernel.append(normal_stage_of(laws::NormalParts{}, law.normal->index));
+  kernel.append(damping_stage_of(laws::DampingParts{}, law.damping->index));
+  if (law.cohesion->acts) kernel.append(cohesion_stage_of(laws::CohesionParts{}, law.cohesion->index));
+  kernel.append(sliding_stage_of(laws::SlidingParts{}, law.sliding->index));
+  kernel.append(
+      law.twisting->acts
+          ? rolling_stage_of<laws::twisting::ElasticPlastic>(laws::RollingParts{}, law.rolling->index)
+          : rolling_stage_of<laws::twisting::None>(laws::RollingParts{}, law.rolling->index));
+  if (law.cohesion->is_viscous) kernel.append(drag_stage);
+  return kernel;
 }
 
 }  // namespace PULVIS_ISA

@@ -39,6 +39,11 @@ inline double hertz_largest_overlap(double mass, double radius, double modulus, 
   return ratio > 0.0 ? power(ratio, 0.4) : 0.0;
 }
 
+/// Stiffness of a linear spring with that largest overlap, N/m:  m* v^2/delta_max^2 (normal/hooke.hpp, eq. 2).
+inline double linear_stiffness(double mass, double radius, double modulus, double speed) {
+  return mass * square(speed / hertz_largest_overlap(mass, radius, modulus, speed));
+}
+
 /// Static Hertz overlap under a force, m:  (3 F/(4 E* sqrt(R*)))^(2/3).  Johnson (1985), eq. 4.23.
 inline double hertz_overlap_under(double force, double radius, double modulus) {
   return square(cube_root(0.75 * force / (modulus * root(radius))));

@@ -40,7 +40,8 @@ Simulation::Simulation(Model model, State state, int threads)
       nearest_(NearestImage::of(model_.domain)),
       reach_(model_.classes.longest_reach(model_.largest_radius)),
       poses_(model_.walls.bodies.size()),
-      evaluator_(most_threads_, model_.classes.all().size()) {
+      evaluator_(most_threads_, model_.classes.all().size(),
+                 model_.classes.longest_approach(model_.largest_radius)) {
   find_body_corners();
   for (const motions::Motion& motion : model_.motions) motion_peaks_.push_back(motions::peaks(motion));
   for (std::size_t b = 0; b < poses_.size(); ++b) {

@@ -15,7 +15,7 @@ namespace pulvis {
 namespace {
 
 constexpr std::uint64_t magic = 0x31455441'54534c50;  // "PLSTATE1" read as little-endian text
-constexpr std::uint32_t version = 2;
+constexpr std::uint32_t version = 3;
 
 class Writer {
  public:

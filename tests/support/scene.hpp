@@ -19,12 +19,14 @@ struct LawParts {
   std::string normal = "hertz", damping = "restitution", sliding = "total_spring",
               rolling = "elastic_plastic";
   laws::Choices choices;
+  std::string cohesion = "none", twisting = "none";
 };
 
 inline ContactClass contact_class(const laws::MaterialPair& pair, const LawParts& parts) {
   ContactClass c;
-  c.law = laws::find_law(parts.normal, parts.damping, parts.sliding, parts.rolling);
-  c.constants = laws::catalogue()[c.law].mix(pair, parts.choices);
+  c.law = laws::find_law(parts.normal, parts.damping, parts.sliding, parts.rolling, parts.cohesion,
+                         parts.twisting);
+  c.constants = c.law.mix(pair, parts.choices);
   c.kernel = kernels::contact_kernel(c.law, kernels::instruction_set());
   return c;
 }

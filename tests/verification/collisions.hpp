@@ -80,8 +80,8 @@ inline Outcome collide(const Collision& c, std::uint64_t most_steps = 200000) {
     o.velocity = of(0).velocity;
     o.spin = of(0).spin;
     // Back along the free flight to where the contact ended.
-    const double stretch = laws::catalogue()[m.classes.all()[0].law].separation_gap(
-        c.reduced_radius(), m.classes.all()[0].constants);
+    const double stretch =
+        m.classes.all()[0].law.separation_gap(c.reduced_radius(), m.classes.all()[0].constants);
     o.duration = s.time() - (distance - reach - stretch) / opening - gap / c.speed;
     return o;
   }

@@ -5,44 +5,47 @@
 
 namespace pulvis::laws::damping {
 
-/// Dashpot that gives a stated coefficient of restitution e in a Hertz contact.
+/// Dashpot that gives a stated coefficient of restitution e.
 ///
 ///   beta = ln e / sqrt(ln^2 e + pi^2)             [-]      (1)
-///   c(S) = -2 sqrt(5/6) beta sqrt(S m*)           [kg/s]   (2)
-///   normal: S_n = 2 E* a_d;  tangential: S_t = 8 G* a_d    [N/m]
+///   c(S) = -2 f beta sqrt(S m*)                   [kg/s]   (2)
+///   linear laws: f = 1, normal S_n = k_n, tangential S_t = k_t                 [N/m]
+///   Hertz: f = sqrt(5/6), normal S_n = 2 E* a_d, tangential S_t = 8 G* a_d    [N/m]
 ///
 /// a_d is sqrt(R* delta) (choice "hertz", default: also under JKR, so that a stretched contact is not
-/// damped) or the contact radius of the normal law (choice "jkr_radius").
+/// damped) or the contact radius of the normal law (choice "jkr_radius"). The tangential dashpot can be left out
+/// (choice tangential_damping).
 ///
 /// Source     Y. Tsuji, T. Tanaka, T. Ishida, Powder Technol. 71 (1992) 239-250,
 ///            doi:10.1016/0032-5910(92)88030-L (the form of the dashpot); (1) and (2) in closed form:
 ///            D. Antypov, J. A. Elliott, EPL 94 (2011) 50004, doi:10.1209/0295-5075/94/50004, eq. 17-18.
-/// Valid      0 < e <= 1. With Hertz e is returned exactly if nothing clips the force; with adhesion the
+/// Valid      0 < e <= 1. With Hertz and with Hooke e is returned exactly if nothing clips the force; with adhesion the
 ///            collision loses more (see the law's energy).
 /// Energy     dissipative.
 /// Tests      tests/verification/impact_test.cpp.
 struct Restitution {
   static constexpr const char* name = "restitution";
   struct Pair {
-    double coefficient;           ///< -2 sqrt(5/6) beta, -
-    double normal_stiffness;      ///< S_n/a_d = 2 E*, Pa
-    double tangential_stiffness;  ///< S_t/a_d = 8 G*, Pa
-    double on_contact_radius;     ///< 1: a_d is the contact radius, 0: the Hertz radius
+    double coefficient;           ///< -2 f beta, -
+    double normal_stiffness;      ///< S_n/a_d, Pa
+    double tangential_stiffness;  ///< S_t/a_d, Pa
+    double on_contact_size;       ///< 1: a_d is the contact radius, 0: the Hertz radius
   };
 
-  static Pair mix(const MaterialPair& pair, const Choices& choices) {
+  static constexpr std::array parameters{
+      Parameter{"restitution", &MaterialPair::restitution, 1e-3, 1.0, "-"}};
+
+  static Pair mix(const MaterialPair& pair, const Choices& choices, const Stiffness& stiffness) {
     const double log_e = logarithm(pair.restitution);
     const double beta = log_e / root(log_e * log_e + square(pi));
-    return {-2.0 * root(5.0 / 6.0) * beta, 2.0 * pair.effective_modulus, 8.0 * pair.effective_shear_modulus,
+    return {-2.0 * stiffness.damping_shape * beta, stiffness.normal,
+            choices.tangential_damping ? stiffness.tangential : 0.0,
             choices.damping_on_jkr_radius ? 1.0 : 0.0};
   }
 
-  struct Coefficients {
-    double normal, tangential;  ///< c_n, c_t, kg/s
-  };
-  PULVIS_INLINE static Coefficients coefficients(const Normal& normal, double mass, const Pair& pair) {
-    const double radius = select(pair.on_contact_radius > 0.5, normal.contact_radius, normal.hertz_radius);
-    const double scale = mass * radius;
+  PULVIS_INLINE static Dashpots coefficients(const Normal& normal, double mass, const Pair& pair) {
+    const double size = select(pair.on_contact_size > 0.5, normal.contact_size, normal.damping_size);
+    const double scale = mass * size;
     return {pair.coefficient * root(pair.normal_stiffness * scale),
             pair.coefficient * root(pair.tangential_stiffness * scale)};
   }
@@ -52,10 +55,9 @@ struct Restitution {
 struct None {
   static constexpr const char* name = "none";
   struct Pair {};
-  static Pair mix(const MaterialPair&, const Choices&) { return {}; }
-  PULVIS_INLINE static Restitution::Coefficients coefficients(const Normal&, double, const Pair&) {
-    return {0.0, 0.0};
-  }
+  static constexpr std::array<Parameter, 0> parameters{};
+  static Pair mix(const MaterialPair&, const Choices&, const Stiffness&) { return {}; }
+  PULVIS_INLINE static Dashpots coefficients(const Normal&, double, const Pair&) { return {0.0, 0.0}; }
 };
 
 }  // namespace pulvis::laws::damping

@@ -18,18 +18,26 @@ namespace pulvis::laws::normal {
 /// Tests      tests/laws/normal_test.cpp, tests/verification/impact_test.cpp.
 struct Hertz {
   static constexpr const char* name = "hertz";
+  static constexpr bool adhesive = false, remembers = false;
   struct Pair {
     double effective_modulus;  ///< E*, Pa
   };
 
+  static constexpr std::array parameters{needs::effective_modulus};
+
   static Pair mix(const MaterialPair& pair, const Choices&) { return {pair.effective_modulus}; }
+  static Stiffness stiffness(const MaterialPair& pair, const Choices&) {
+    return {2.0 * pair.effective_modulus, 8.0 * pair.effective_shear_modulus,
+            (4.0 / 3.0) * pair.effective_modulus, root(5.0 / 6.0)};
+  }
 
   /// Gap up to which an existing contact lasts, m.
   PULVIS_INLINE static double separation_gap(double /*radius*/, const Pair&) { return 0.0; }
 
-  PULVIS_INLINE static Normal normal(double overlap, double radius, const Pair& pair) {
-    const double delta = greatest(overlap, 0.0);
-    const double a = root(radius * delta);
+  PULVIS_INLINE static Normal normal(const Touch& touch, const Pair& pair, double& /*plastic*/,
+                                     double& /*adhesion*/) {
+    const double delta = greatest(touch.overlap, 0.0);
+    const double a = root(touch.radius * delta);
     return {(4.0 / 3.0) * pair.effective_modulus * a * delta, a, a, 0.0};
   }
 };

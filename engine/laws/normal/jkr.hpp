@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include "engine/laws/normal/hertz.hpp"
 #include "engine/laws/parts.hpp"
 
 namespace pulvis::laws::normal {
@@ -29,23 +30,39 @@ namespace pulvis::laws::normal {
 /// Touch      at delta = 0, where the force jumps from 0 to -(8/9) F_po: nothing acts on approach before.
 /// Separation at delta = -delta_c, where the force jumps from -(5/9) F_po to 0. On the way it passes -F_po.
 /// Energy     each touch and separation loses W_s = 7.0922 (W^5 R*^4/E*^2)^(1/3) J; conservative between them.
-/// Friction   |F_t| <= mu |F + 2 F_po| (C. Thornton, J. Phys. D: Appl. Phys. 24 (1991) 1942,
-///            doi:10.1088/0022-3727/24/11/007).
+/// Friction   "shifted" by default: |F_t| <= mu |F + 2 F_po| (C. Thornton, J. Phys. D: Appl. Phys. 24 (1991) 1942,
+///            doi:10.1088/0022-3727/24/11/007); "without" is Hertz's force at the same overlap.
 /// Tests      tests/laws/jkr_test.cpp, tests/verification/jkr_collision_test.cpp.
 struct Jkr {
   static constexpr const char* name = "jkr";
+  static constexpr bool adhesive = true, remembers = false;
   struct Pair {
     double pull_off;  ///< F_po/R*, N/m
     double stretch;   ///< delta_c/R*^(1/3), m^(2/3)
     double rupture;   ///< a_c/R*^(2/3), m^(1/3)
+    double shifted;   ///< in the friction limit: how many F_po are added to F
+    double without;   ///< 1: the friction limit is Hertz's force at the same overlap, else 0
+    double hertz;     ///< (4/3) E*, Pa
   };
+  static constexpr std::array parameters{needs::effective_modulus, needs::work_of_adhesion};
 
-  static Pair mix(const MaterialPair& pair, const Choices&) {
+  static Pair mix(const MaterialPair& pair, const Choices& choices) {
     // Without adhesion the law is Hertz's. W/E* of 1e-60 m leaves no trace of adhesion in any digit and keeps
     // the formulas finite.
     const double work = greatest(pair.work_of_adhesion, 1e-60 * pair.effective_modulus);
     const double ratio = pi * work / pair.effective_modulus;
-    return {1.5 * pi * work, 0.75 * cube_root(ratio * ratio), 0.5 * cube_root(ratio)};
+    const CohesionLimit limit = choices.cohesion_limit;
+    const bool shifted = limit == CohesionLimit::standard || limit == CohesionLimit::shifted;
+    return {1.5 * pi * work,
+            0.75 * cube_root(ratio * ratio),
+            0.5 * cube_root(ratio),
+            shifted ? 2.0 : 0.0,
+            limit == CohesionLimit::without ? 1.0 : 0.0,
+            (4.0 / 3.0) * pair.effective_modulus};
+  }
+
+  static Stiffness stiffness(const MaterialPair& pair, const Choices& choices) {
+    return Hertz::stiffness(pair, choices);
   }
 
   PULVIS_INLINE static double separation_gap(double radius, const Pair& pair) {
@@ -64,15 +81,19 @@ struct Jkr {
     return t;
   }
 
-  PULVIS_INLINE static Normal normal(double overlap, double radius, const Pair& pair) {
+  PULVIS_INLINE static Normal normal(const Touch& touch, const Pair& pair, double& /*plastic*/,
+                                     double& /*adhesion*/) {
+    const double overlap = touch.overlap, radius = touch.radius;
     const double third = cube_root(radius);
     const double stretch = pair.stretch * third;
     const double pull_off = pair.pull_off * radius;
     const double y = 1.0 + solve(3.0 * greatest(overlap + stretch, 0.0) / stretch);
     const double cube = y * y * y;
     const double hertz = root(radius * greatest(overlap, 0.0));
-    return {pull_off * (cube * (cube - 6.0) / 9.0), pair.rupture * third * third * y * y, hertz,
-            2.0 * pull_off};
+    const double force = pull_off * (cube * (cube - 6.0) / 9.0);
+    const double pressed = pair.hertz * hertz * greatest(overlap, 0.0);
+    return {force, pair.rupture * third * third * y * y, hertz,
+            pair.shifted * pull_off + pair.without * (pressed - force)};
   }
 };
 

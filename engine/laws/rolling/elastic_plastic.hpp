@@ -6,51 +6,60 @@ namespace pulvis::laws::rolling {
 
 /// Elastic-plastic spring against rolling, without viscous part ("EPSD2").
 ///
-///   T <- P_n (P_h T - k_r omega_r dt)     [N m]        (1)
+///   T <- P_n (carried T - k_r omega_r dt)     [N m]        (1)
 ///   k_r = k_t R*^2 = 8 G* a R*^2          [N m/rad]    (2)
 ///   |T| <= mu_r R* N                      [N m]        (3)
 ///
-/// omega_r is the relative spin without its part along the normal (no resistance to twisting).
+/// omega_r is the relative spin without its part along the normal; carried as in total_spring.
 ///
 /// Source     K. Iwashita, M. Oda, J. Eng. Mech. 124 (1998) 285-292,
 ///            doi:10.1061/(ASCE)0733-9399(1998)124:3(285); J. Ai et al., Powder Technol. 206 (2011) 269-282,
 ///            doi:10.1016/j.powtec.2010.09.030 (type C); stiffness (2) as in the LIGGGHTS family's epsd2.
 /// Symbols    N the limiting normal force (see ContactLaw), mu_r coefficient of rolling friction.
-/// Valid      quasi-static rolling of near-round grains; mu_r stands in for shape. Small rocking about rest and
-///            spin about the normal are not damped. T is projected, not turned with a shared spin.
+/// Valid      quasi-static rolling of near-round grains; mu_r stands in for shape. Small rocking about rest is not
+///            damped.
 /// Touch      T = 0. Separation: T is forgotten.
 /// Energy     T^2/(2 k_r) stored at fixed k_r; the limit dissipates.
 /// Tests      tests/laws/rolling_test.cpp, tests/verification/incline_test.cpp.
 struct ElasticPlastic {
   static constexpr const char* name = "elastic_plastic";
+  static constexpr bool needs_sizes = false;
   struct Pair {
-    double stiffness;  ///< k_t/a = 8 G*, Pa
+    double stiffness;  ///< k_t/a, Pa
     double friction;   ///< mu_r, -
   };
 
-  static Pair mix(const MaterialPair& pair, const Choices&) {
-    return {8.0 * pair.effective_shear_modulus, pair.rolling_friction};
+  static constexpr std::array parameters{needs::rolling_friction};
+
+  static Pair mix(const MaterialPair& pair, const Choices&, const Stiffness& stiffness) {
+    return {stiffness.tangential, pair.rolling_friction};
   }
 
-  /// Torque on the first, N m; it is its own history.
-  PULVIS_INLINE static Vec3 roll(const Touch& touch, double contact_radius, double limiting_force,
-                                 const Vec3& old_torque, const Pair& pair) {
-    const double stiffness = pair.stiffness * contact_radius * square(touch.radius);
+  /// Torque on the first, N m; `spring` is the part of it that is remembered, before and after.
+  PULVIS_INLINE static Vec3 roll(const Touch& touch, double contact_size, double limiting_force,
+                                 const Pair& pair, Vec3& spring) {
+    const double stiffness = pair.stiffness * contact_size * square(touch.radius);
     const Vec3 spin = in_plane(touch.spin, touch.half_normal);
-    const Vec3 moved = in_plane(old_torque, touch.half_normal) - (stiffness * touch.dt) * spin;
+    const Vec3 moved = carried_to_middle(spring, touch) - (stiffness * touch.dt) * spin;
     const Vec3 torque = in_plane(moved, touch.normal);
     const double size = norm(torque);
     const double limit = pair.friction * touch.radius * limiting_force;
-    return select(size > limit, limit / greatest(size, 1e-300), 1.0) * torque;
+    spring = select(size > limit, limit / greatest(size, 1e-300), 1.0) * torque;
+    return spring;
   }
 };
 
 /// No resistance to rolling.
 struct None {
   static constexpr const char* name = "none";
+  static constexpr bool needs_sizes = false;
   struct Pair {};
-  static Pair mix(const MaterialPair&, const Choices&) { return {}; }
-  PULVIS_INLINE static Vec3 roll(const Touch&, double, double, const Vec3&, const Pair&) { return {}; }
+  static constexpr std::array<Parameter, 0> parameters{};
+  static Pair mix(const MaterialPair&, const Choices&, const Stiffness&) { return {}; }
+  PULVIS_INLINE static Vec3 roll(const Touch&, double, double, const Pair&, Vec3& spring) {
+    spring = {};
+    return {};
+  }
 };
 
 }  // namespace pulvis::laws::rolling

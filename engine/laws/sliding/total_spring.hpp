@@ -6,12 +6,13 @@ namespace pulvis::laws::sliding {
 
 /// Tangential spring in its total-displacement form, with dashpot while it sticks and Coulomb's limit.
 ///
-///   xi <- P_h xi + v_t dt, then xi <- P_n xi      [m]   (1)
+///   xi <- carried xi + v_t dt, then xi <- P_n xi  [m]   (1)
 ///   k_t = 8 G* a                                   [N/m] (2)
 ///   stick, k_t |xi| <= mu N:  F_t = -k_t xi - c_t v_t    (3)
 ///   slip:  |xi| is reset to mu N/k_t and F_t = -k_t xi   (4)
 ///
-/// P_h and P_n project on the contact plane in the middle and at the end of the step, v_t is the mid-step
+/// "Carried" projects on the contact plane in the middle of the step and turns with the spin both bodies share
+/// about the normal (carried_to_middle in parts.hpp), P_n projects on the plane at its end, v_t is the mid-step
 /// velocity in the mid-step plane: the spring never mixes two instants (velocities synchronised after
 /// D. R. Vyas et al., Comput. Phys. Commun. 310 (2025) 109524, doi:10.1016/j.cpc.2025.109524).
 ///
@@ -19,28 +20,31 @@ namespace pulvis::laws::sliding {
 ///            P. A. Cundall, O. D. L. Strack, Geotechnique 29 (1979) 47-65, doi:10.1680/geot.1979.29.1.47.
 /// Symbols    N the limiting normal force (see ContactLaw), mu Coulomb's coefficient, c_t from the damping law.
 /// Valid      no micro-slip: stick is one spring. The spring follows the whole displacement, so F_t changes
-///            with k_t when the contact opens or closes. It is projected, not turned with a spin that both
-///            bodies share about the normal.
+///            with k_t when the contact opens or closes.
 /// Touch      xi = 0. Separation: xi is forgotten.
 /// Energy     k_t xi^2/2 stored at fixed k_t; slip and dashpot dissipate.
 /// Tests      tests/laws/sliding_test.cpp, tests/verification/incline_test.cpp.
 struct TotalSpring {
   static constexpr const char* name = "total_spring";
+  static constexpr bool remembers_grip = false;
   struct Pair {
-    double stiffness;  ///< k_t/a = 8 G*, Pa
+    double stiffness;  ///< k_t/a, Pa
     double friction;   ///< mu, -
   };
 
-  static Pair mix(const MaterialPair& pair, const Choices&) {
-    return {8.0 * pair.effective_shear_modulus, pair.friction};
+  static constexpr std::array parameters{needs::coulomb_friction};
+
+  static Pair mix(const MaterialPair& pair, const Choices&, const Stiffness& stiffness) {
+    return {stiffness.tangential, pair.friction};
   }
 
   /// Force on the first, N; `xi` is the spring, m, before and after.
-  PULVIS_INLINE static Vec3 slide(const Touch& touch, const Vec3& slip_velocity, double contact_radius,
-                                  double limiting_force, double dashpot, const Pair& pair, Vec3& xi) {
-    const Vec3 moved = in_plane(xi, touch.half_normal) + touch.dt * slip_velocity;
+  PULVIS_INLINE static Vec3 slide(const Touch& touch, const Vec3& slip_velocity, double contact_size,
+                                  double limiting_force, double dashpot, const Pair& pair, Vec3& xi,
+                                  double& /*grip*/) {
+    const Vec3 moved = carried_to_middle(xi, touch) + touch.dt * slip_velocity;
     const Vec3 spring = in_plane(moved, touch.normal);
-    const double stiffness = pair.stiffness * contact_radius;
+    const double stiffness = pair.stiffness * contact_size;
     const double trial = stiffness * norm(spring);
     const double limit = pair.friction * limiting_force;
     const bool slips = trial > limit;
@@ -54,9 +58,12 @@ struct TotalSpring {
 /// Frictionless.
 struct None {
   static constexpr const char* name = "none";
+  static constexpr bool remembers_grip = false;
   struct Pair {};
-  static Pair mix(const MaterialPair&, const Choices&) { return {}; }
-  PULVIS_INLINE static Vec3 slide(const Touch&, const Vec3&, double, double, double, const Pair&, Vec3& xi) {
+  static constexpr std::array<Parameter, 0> parameters{};
+  static Pair mix(const MaterialPair&, const Choices&, const Stiffness&) { return {}; }
+  PULVIS_INLINE static Vec3 slide(const Touch&, const Vec3&, double, double, double, const Pair&, Vec3& xi,
+                                  double&) {
     xi = {};
     return {};
   }
