@@ -121,7 +121,7 @@ void append_choices(Keys& keys) {
               .kind = quantity,
               .dimension = dimension::time,
               .example = R"("50 ms")",
-              .when_unset = "one cycle where a phase shakes, else the interval of the log",
+              .when_unset = "one cycle where a phase shakes, else a hundredth of the longest phase",
               .range = positive,
               .help = "time over which forces and pressures on walls are averaged; while a phase shakes, "
                       "the nearest number of whole cycles"},

@@ -33,7 +33,7 @@ class Runner {
         simulation_(simulation_of(std::move(model), threads)),
         procedure_(c, simulation_),
         progress_(ProgressOptions::for_stderr()),
-        loads_(c, simulation_, log_interval(c)),
+        loads_(c, simulation_, hundredth_of_longest_phase(c)),
         frame_every_(every(c.output.interval)),
         log_every_(every(log_interval(c))) {
     if (!procedure_.finished()) loads_.begin_phase(procedure_.phase(), simulation_);
@@ -54,7 +54,9 @@ class Runner {
                : 0;
   }
   static double log_interval(const Case& c) {
-    if (c.output.log_interval > 0.0) return c.output.log_interval;
+    return c.output.log_interval > 0.0 ? c.output.log_interval : hundredth_of_longest_phase(c);
+  }
+  static double hundredth_of_longest_phase(const Case& c) {
     double longest = 0.0;
     for (const Phase& p : c.phases) {
       double length = std::max(p.duration, p.time_limit);
