@@ -30,6 +30,12 @@ class ContactClasses {
   const std::vector<ContactClass>& all() const { return classes_; }
   std::size_t species() const { return species_; }
 
+  /// Whether the contacts of any class need a memory besides their springs.
+  bool remember() const {
+    for (const auto& c : classes_)
+      if (c.law.remembers()) return true;
+    return false;
+  }
   /// Widest gap, m, at which any contact can begin on approach; 0 for most laws.
   double longest_approach(double radius) const {
     double gap = 0.0;

@@ -18,26 +18,30 @@ inline void put(Lanes3& lanes, int k, const Vec3& v) {
 }
 inline Vec3 get(const Lanes3& lanes, int k) { return {lanes.x[k], lanes.y[k], lanes.z[k]}; }
 
-inline void stage_history(ContactBlock& b, int k, std::uint32_t slot, bool touching,
-                          const laws::History& history) {
+template <class Near>
+void stage_history(ContactBlock& b, int k, std::uint32_t slot, const Near& near) {
   b.slot[k] = slot;
-  b.touching[k] = touching ? 1.0 : 0.0;
-  put(b.slide, k, history.slide);
-  put(b.roll, k, history.roll);
-  b.plastic[k] = history.plastic;
-  b.adhesion[k] = history.adhesion;
-  b.grip[k] = history.grip;
+  b.touching[k] = near.touching[slot] ? 1.0 : 0.0;
+  put(b.slide, k, near.history[slot].slide);
+  put(b.roll, k, near.history[slot].roll);
+  if (!near.memory.used) return;
+  const laws::Memory& memory = near.memory.list[slot];
+  b.plastic[k] = memory.plastic;
+  b.adhesion[k] = memory.adhesion;
+  b.grip[k] = memory.grip;
 }
-inline laws::History history_of(const ContactBlock& b, int k) {
-  return {get(b.slide, k), get(b.roll, k), b.plastic[k], b.adhesion[k], b.grip[k]};
+template <class Near>
+void keep_history(const ContactBlock& b, int k, std::uint32_t slot, Near& near) {
+  near.touching[slot] = b.touching[k] > 0.5;
+  near.history[slot] = {get(b.slide, k), get(b.roll, k)};
+  if (near.memory.used) near.memory.list[slot] = {b.plastic[k], b.adhesion[k], b.grip[k]};
 }
 
 void finish_pairs(ContactBlock& b, const ContactClass& contact, NearPairs& near, double dt) {
   contact.kernel.parcels(b, contact.constants.data(), dt);
   for (int k = 0; k < b.count; ++k) {
     const std::uint32_t slot = b.slot[k];
-    near.touching[slot] = b.touching[k] > 0.5;
-    near.history[slot] = history_of(b, k);
+    keep_history(b, k, slot, near);
     near.load[slot] = {get(b.force, k), get(b.torque_first, k), get(b.torque_second, k)};
   }
   b.count = 0;
@@ -47,8 +51,7 @@ void finish_walls(ContactBlock& b, const ContactClass& contact, NearWalls& near,
   contact.kernel.walls(b, contact.constants.data(), dt);
   for (int k = 0; k < b.count; ++k) {
     const std::uint32_t slot = b.slot[k];
-    near.touching[slot] = b.touching[k] > 0.5;
-    near.history[slot] = history_of(b, k);
+    keep_history(b, k, slot, near);
     near.load[slot] = {get(b.force, k), get(b.torque_first, k)};
   }
   b.count = 0;
@@ -57,7 +60,7 @@ void finish_walls(ContactBlock& b, const ContactClass& contact, NearWalls& near,
 inline void stage_pair(ContactBlock& b, std::uint32_t slot, const Parcel& p, const Parcel& q,
                        const Vec3& offset, const NearPairs& near) {
   const int k = b.count++;
-  stage_history(b, k, slot, near.touching[slot] != 0, near.history[slot]);
+  stage_history(b, k, slot, near);
   put(b.offset, k, offset);
   put(b.velocity, k, p.velocity - q.velocity);
   put(b.spin_first, k, p.spin);
@@ -101,7 +104,7 @@ Vec3 half_normal(const WallSight& half, const Pose& pose) {
 void stage_wall(ContactBlock& b, std::uint32_t slot, const Parcel& p, const Walls& walls, const Pose& pose,
                 const WallSight& sight, const Vec3& before_at, const Vec3& at, NearWalls& near, double dt) {
   const int k = b.count++;
-  stage_history(b, k, slot, near.touching[slot] != 0, near.history[slot]);
+  stage_history(b, k, slot, near);
   near.touched_facet[slot] = sight.facet;
   const Vec3 normal = pose.now.turn(sight.offset / sight.distance);
   const WallSight half = look(walls, near, slot, 0.5 * (before_at + at));
@@ -181,11 +184,13 @@ void ContactEvaluator::settle_edges(NearWalls& near, std::uint32_t i, const Parc
     if (near.touching[begin + heir]) continue;
     near.touching[begin + heir] = 1;
     near.history[begin + heir] = near.history[begin + k];
+    near.memory.copy(begin + heir, near.memory, begin + k);
   }
   for (std::uint32_t k = 0; k < count; ++k) {
     if (scratch.owner[k] == k) continue;
     near.touching[begin + k] = 0;
     near.history[begin + k] = {};
+    near.memory.forget(begin + k);
     near.load[begin + k] = {};
   }
 }

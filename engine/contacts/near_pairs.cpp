@@ -87,6 +87,7 @@ void NearPairs::assign_slots(const Parcels& parcels, int threads) {
   second.resize(slot_count);
   touching.assign(slot_count, 0);
   history.assign(slot_count, {});
+  memory.assign(slot_count);
   load.assign(slot_count, {});
   entry.resize(partner_.size());
   parallel_shares(count, threads, [&](std::size_t from, std::size_t to, int) {
@@ -134,6 +135,8 @@ TouchingList NearPairs::pack(const Parcels& parcels, int threads) const {
   for (std::size_t i = 0; i < count; ++i) list.begin[i + 1] += list.begin[i];
   list.partner.resize(list.begin[count]);
   list.history.resize(list.begin[count]);
+  list.memory.used = memory.used;
+  list.memory.assign(list.begin[count]);
   parallel_shares(count, threads, [&](std::size_t from, std::size_t to, int) {
     for (std::size_t i = from; i < to; ++i) {
       std::uint32_t at = list.begin[i];
@@ -141,6 +144,7 @@ TouchingList NearPairs::pack(const Parcels& parcels, int threads) const {
         if (owned(k)) {
           const std::uint32_t slot = entry[k] >> 1;
           list.partner[at] = parcels.body[second[slot]].id;
+          list.memory.copy(at, memory, slot);
           list.history[at++] = history[slot];
         }
     }
@@ -165,6 +169,7 @@ std::size_t NearPairs::restore(const TouchingList& list, std::span<const std::ui
         while (at < end && list.partner[at] < id) ++at;
         if (at < end && list.partner[at] == id) {
           touching[slot] = 1;
+          memory.copy(slot, list.memory, at);
           history[slot] = list.history[at++];
           ++mine;
         }

@@ -46,6 +46,7 @@ class NearPairs {
   std::vector<std::uint32_t> first, second;
   std::vector<std::uint8_t> touching;
   std::vector<laws::History> history;
+  Memories memory;  ///< `used` is to be set before the first rebuild
   std::vector<PairLoad> load;
 
   // Per parcel: entries [begin[k], begin[k + 1]) of `entry`, partners' ids ascending.

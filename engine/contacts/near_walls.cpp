@@ -100,6 +100,7 @@ void NearWalls::rebuild(const Parcels& parcels, const Walls& walls, std::span<co
   touched_facet.assign(slot_count, no_facet);
   touching.assign(slot_count, 0);
   history.assign(slot_count, {});
+  memory.assign(slot_count);
   load.assign(slot_count, {});
 }
 
@@ -107,11 +108,13 @@ TouchingList NearWalls::pack() const {
   const std::size_t count = begin.empty() ? 0 : begin.size() - 1;
   TouchingList list;
   list.begin.assign(count + 1, 0);
+  list.memory.used = memory.used;
   for (std::size_t i = 0; i < count; ++i) {
     for (std::uint32_t k = begin[i]; k < begin[i + 1]; ++k)
       if (touching[k]) {
         list.partner.push_back(surface[k]);
         list.history.push_back(history[k]);
+        list.memory.append(memory, k);
       }
     list.begin[i + 1] = static_cast<std::uint32_t>(list.partner.size());
   }
@@ -127,6 +130,7 @@ std::size_t NearWalls::restore(const TouchingList& list, std::span<const std::ui
         if (surface[k] == list.partner[at]) {
           touching[k] = 1;
           history[k] = list.history[at];
+          memory.copy(k, list.memory, at);
           ++total;
         }
   }

@@ -40,6 +40,7 @@ class NearWalls {
   std::vector<std::uint32_t> touched_facet;  ///< triangle of the last evaluation, or no_facet
   std::vector<std::uint8_t> touching;
   std::vector<laws::History> history;
+  Memories memory;         ///< `used` is to be set before the first rebuild
   std::vector<Load> load;  ///< on the parcel, N and N m about its centre
 
  private:

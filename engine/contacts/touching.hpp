@@ -7,6 +7,25 @@
 
 namespace pulvis {
 
+/// The memory of contacts whose laws need more than springs; empty if no law of the model does.
+class Memories {
+ public:
+  bool used = false;
+  std::vector<laws::Memory> list;
+
+  /// Makes room for `count` contacts that remember nothing.
+  void assign(std::size_t count) { list.assign(used ? count : 0, {}); }
+  void copy(std::size_t to, const Memories& other, std::size_t from) {
+    if (used && other.used) list[to] = other.list[from];
+  }
+  void append(const Memories& other, std::size_t from) {
+    if (used) list.push_back(other.list[from]);
+  }
+  void forget(std::size_t at) {
+    if (used) list[at] = {};
+  }
+};
+
 /// The contacts that exist and what they remember, packed: how history crosses a rebuild of the lists, a
 /// snapshot, a restart. Grouped by owner (index of a parcel in the store), partners ascending within it.
 /// Pairs: the owner has the lower id, `partner` is the other's id. Walls: `partner` is the surface.
@@ -14,6 +33,7 @@ struct TouchingList {
   std::vector<std::uint32_t> begin{0};  ///< size = parcels + 1
   std::vector<std::uint32_t> partner;
   std::vector<laws::History> history;
+  Memories memory;
 
   std::size_t size() const { return partner.size(); }
 };

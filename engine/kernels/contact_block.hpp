@@ -7,7 +7,7 @@
 
 namespace pulvis::kernels {
 
-inline constexpr int block_size = 64;  // 64 contacts x about 58 numbers: 29 KiB, stays in the inner caches
+inline constexpr int block_size = 64;  // 64 contacts x about 59 numbers: 30 KiB, stays in the inner caches
 
 using Lane = double[block_size];
 struct Lanes3 {
@@ -35,14 +35,15 @@ struct ContactBlock {
 
   Lanes3 spin_first, spin_second;  ///< mid-step
   alignas(64) Lane touching;       ///< in: before this step; out: now
-  Lanes3 slide, roll;              ///< history, in and out, as all below
+  Lanes3 slide, roll;              ///< history, in and out
+  /// Memory, in and out, for laws that remember; zeros or anything for others.
   alignas(64) Lane plastic, adhesion, grip;
 
   // Between the stages of a law, see laws/contact_law.hpp.
   alignas(64) Lane in_reach;                                          ///< from the reach of cohesion
   alignas(64) Lane contact_size, elastic, damping_size, limit_shift;  ///< from the normal law
   Lanes3 slip;  ///< from the dashpots, as in the next line
-  alignas(64) Lane closing, normal_force, limiting_force, tangential_damping;
+  alignas(64) Lane closing, shared_spin, normal_force, limiting_force, tangential_damping;
   alignas(64) Lane drag;  ///< from cohesion, kg/s
 
   // Results.

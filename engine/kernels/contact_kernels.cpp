@@ -53,7 +53,7 @@ PULVIS_INLINE void look(const ContactBlock& b, int k, double dt, laws::Touch& to
   touch.velocity = load(b.velocity, k) + cross(surface, touch.half_normal);
   touch.spin = spin_first - spin_second;
   touch.dt = dt;
-  touch.shared_spin = 0.5 * dot(spin_first + spin_second, touch.half_normal);
+  touch.shared_spin = b.shared_spin[k];
   touch.radius_first = b.radius_first[k];
   touch.radius_second = b.radius_second[k];
   touch.mass_first = b.mass_first[k];
@@ -101,6 +101,7 @@ PULVIS_INLINE void evaluate_damping(ContactBlock& b, int k, const typename Part:
   const laws::Dashpots c = Part::coefficients(n, touch.mass, pair);
   const double closing = laws::closing_speed(touch);
   b.closing[k] = closing;
+  b.shared_spin[k] = 0.5 * dot(load(b.spin_first, k) + load(b.spin_second, k), touch.half_normal);
   store(b.slip, k, laws::slip_velocity(touch, closing));
   const double dashpot = c.normal * closing;
   b.normal_force[k] = n.elastic + dashpot;

@@ -148,6 +148,8 @@ struct Law {
     return {normal, cohesion, damping, sliding, rolling, twisting};
   }
   PairConstants mix(const MaterialPair& material, const Choices& choices) const;
+  /// Whether a contact has to store a Memory besides its History.
+  bool remembers() const { return normal->remembers || sliding->remembers_grip; }
   /// Bound of the gap up to which a contact lasts, m, for parcels and reduced radii up to `radius`.
   double separation_gap(double radius, const PairConstants&) const;
   /// Bound of the gap at which a contact begins on approach, m; 0 for most laws.
@@ -155,7 +157,7 @@ struct Law {
   /// The normal law alone, without memory and mass: for laws that ask for neither.
   Normal normal_force(double overlap, double radius, const PairConstants&) const;
   /// The law for one contact, part after part: what the kernels do for many at once, to the same bits.
-  Response evaluate(const Touch& touch, const History& old, const PairConstants& constants) const;
+  Response evaluate(const Touch& touch, const Past& old, const PairConstants& constants) const;
   /// What is wrong with a choice of parts and the properties of a pair, one sentence each; empty if nothing is.
   std::vector<std::string> problems(const MaterialPair& material, const Choices& choices) const;
 };

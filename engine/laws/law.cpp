@@ -42,11 +42,11 @@ Normal Law::normal_force(double overlap, double radius, const PairConstants& con
   return normal->normal(touch, constants, plastic, adhesion);
 }
 
-Response Law::evaluate(const Touch& touch, const History& old, const PairConstants& constants) const {
+Response Law::evaluate(const Touch& touch, const Past& old, const PairConstants& constants) const {
   const Whole whole = unpack<Whole>(constants.data(), Place::whole);
   double touching =
       touches(touch.overlap, touch.was_touching, 0.0, normal->separation_gap(touch.radius, constants));
-  History now = old;
+  Past now = old;
   const Normal n = normal->normal(touch, constants, now.plastic, now.adhesion);
 
   const Dashpots c = damping->coefficients(n, touch.mass, constants);

@@ -56,12 +56,20 @@ struct Attraction {
 };
 
 /// What a contact remembers from step to step; what each number means is up to the law.
-struct History {
+struct Past {
   Vec3 slide;             ///< tangential spring of the sliding law, m or N
   Vec3 roll;              ///< N m: torques of the rolling law and, along the normal, of the twisting law
   double plastic = 0.0;   ///< of the normal law
   double adhesion = 0.0;  ///< of the normal law
   double grip = 0.0;      ///< of the sliding law
+};
+
+// How it is stored: most laws need the springs only, and a list of contacts is read and written in every step.
+struct History {
+  Vec3 slide, roll;
+};
+struct Memory {
+  double plastic = 0.0, adhesion = 0.0, grip = 0.0;
 };
 
 /// Result of a law. A contact that does not exist gives zeros, also in its history.
@@ -71,7 +79,7 @@ struct Response {
   Vec3 tangential;   ///< the part of `force` from sliding, N
   Vec3 drag;         ///< the tangential part of `force` from a liquid between the surfaces, N
   Vec3 roll_torque;  ///< on the first, N m; the second gets the opposite
-  History history;
+  Past history;
 };
 
 /// Component of `a` in the plane with unit normal `n`.

@@ -42,6 +42,7 @@ Simulation::Simulation(Model model, State state, int threads)
       poses_(model_.walls.bodies.size()),
       evaluator_(most_threads_, model_.classes.all().size(),
                  model_.classes.longest_approach(model_.largest_radius)) {
+  pairs_.memory.used = walls_.memory.used = model_.classes.remember();
   find_body_corners();
   for (const motions::Motion& motion : model_.motions) motion_peaks_.push_back(motions::peaks(motion));
   for (std::size_t b = 0; b < poses_.size(); ++b) {
@@ -174,11 +175,13 @@ void Simulation::set_absent(std::size_t body, bool absent) {
 
 TouchingList Simulation::without_body(const TouchingList& list, std::size_t body) const {
   TouchingList kept;
+  kept.memory.used = list.memory.used;
   for (std::size_t i = 0; i + 1 < list.begin.size(); ++i) {
     for (std::uint32_t k = list.begin[i]; k < list.begin[i + 1]; ++k) {
       if (model_.walls.surfaces[list.partner[k]].body == body) continue;
       kept.partner.push_back(list.partner[k]);
       kept.history.push_back(list.history[k]);
+      kept.memory.append(list.memory, k);
     }
     kept.begin.push_back(static_cast<std::uint32_t>(kept.partner.size()));
   }
@@ -425,8 +428,9 @@ std::size_t Simulation::memory() const {
   const auto bytes = [](const auto& v) { return v.capacity() * sizeof v[0]; };
   return bytes(state_.parcels.body) + bytes(state_.parcels.load) + bytes(reference_) + bytes(margin_) +
          bytes(pairs_.first) + bytes(pairs_.second) + bytes(pairs_.touching) + bytes(pairs_.history) +
-         bytes(pairs_.load) + bytes(pairs_.begin) + bytes(pairs_.entry) + bytes(walls_.begin) +
-         bytes(walls_.parcel) + bytes(walls_.surface) + bytes(walls_.history) + bytes(walls_.load);
+         bytes(pairs_.memory.list) + bytes(pairs_.load) + bytes(pairs_.begin) + bytes(pairs_.entry) +
+         bytes(walls_.begin) + bytes(walls_.parcel) + bytes(walls_.surface) + bytes(walls_.history) +
+         bytes(walls_.load);
 }
 
 }  // namespace pulvis

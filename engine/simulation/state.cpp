@@ -85,6 +85,8 @@ void visit(Archive& archive, S& s) {
     archive(list->begin);
     archive(list->partner);
     archive(list->history);
+    archive(list->memory.used);
+    archive(list->memory.list);
   }
   archive(s.motions);
   archive(s.body_absent);
@@ -117,7 +119,8 @@ class Hash {
   template <class T>
   void add(const T& value) {
     static_assert(std::has_unique_object_representations_v<T> || std::is_same_v<T, Vec3> ||
-                  std::is_same_v<T, double> || std::is_same_v<T, laws::History>);
+                  std::is_same_v<T, double> || std::is_same_v<T, laws::History> ||
+                  std::is_same_v<T, laws::Memory>);
     XXH3_128bits_update(state_, &value, sizeof value);
   }
   std::string text() const {
@@ -134,6 +137,7 @@ void add_contacts(Hash& hash, const TouchingList& list, std::uint32_t owner) {
   for (std::uint32_t k = list.begin[owner]; k < list.begin[owner + 1]; ++k) {
     hash.add(list.partner[k]);
     hash.add(list.history[k]);
+    if (list.memory.used) hash.add(list.memory.list[k]);
   }
 }
 

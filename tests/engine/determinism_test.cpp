@@ -92,6 +92,43 @@ TEST(StateHash, IsTheSameForAnyOrderOfTheStore) {
   EXPECT_EQ(hash_after(sticky_start(2, 1.0, parcels)), plain_hash());
 }
 
+/// The scene with a law whose contacts remember more than springs, and bridges that reach across gaps beside it.
+Simulation remembering_start(int threads, double skin, const char* normal, const char* cohesion) {
+  Model m = sticky_model(skin);
+  Stuff stuff;
+  stuff.young_modulus = 1e6;
+  laws::MaterialPair pair = material_pair(stuff, stuff);
+  pair.work_of_adhesion = 0.05;
+  pair.unloading_ratio = 4.0;
+  pair.surface_tension = 0.05;
+  pair.liquid_content = 1e-3;
+  pair.liquid_viscosity = 1e-3;
+  LawParts parts;
+  parts.normal = normal;
+  parts.sliding = "rescaled_spring";
+  parts.cohesion = cohesion;
+  m.classes = ContactClasses(1);
+  m.classes.set(0, 0, contact_class(pair, parts));
+  Simulation s(m, state_of(m, sticky_parcels()), threads);
+  s.open_source(0);
+  s.start_motion(0);
+  return s;
+}
+
+TEST(StateHash, IsTheSameForLawsThatRememberMoreAndReachFurther) {
+  for (const auto& [normal, cohesion] : {std::pair{"edinburgh", "none"}, {"hertz", "capillary_willett"}}) {
+    const std::string plain = hash_after(remembering_start(1, 1.0, normal, cohesion), 2000);
+    EXPECT_EQ(hash_after(remembering_start(3, 0.5, normal, cohesion), 2000), plain) << normal;
+    Simulation first = remembering_start(1, 2.0, normal, cohesion);
+    go(first, 1234);
+    const State saved = load_state(save_state(first.snapshot()));
+    ASSERT_GT(saved.pairs.size(), 100u);
+    EXPECT_EQ(saved.pairs.memory.list.size(), saved.pairs.size());
+    const Simulation scene = remembering_start(1, 1.0, normal, cohesion);
+    EXPECT_EQ(hash_after(Simulation(scene.model(), saved, 2), 2000 - 1234), plain) << normal;
+  }
+}
+
 TEST(StateHash, DiffersIfOneBitOfOneParcelDiffers) {
   auto parcels = sticky_parcels();
   parcels[123].spin.y = std::nextafter(parcels[123].spin.y, 1e9);

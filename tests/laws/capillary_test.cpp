@@ -130,7 +130,7 @@ TEST(CapillaryBridge, IsTwiceAsStrongAtAWallAsBetweenEqualSpheres) {
 
 TEST(CapillaryBridge, ForgetsTheTangentialSpringAtAGap) {
   const laws::Law law = law_with("capillary_willett");
-  laws::History history;
+  laws::Past history;
   history.slide = {1e-6, 0, 0};
   const laws::Response r = law.evaluate(touch_of(1e-3, 1e-3, -1e-6), history, law.mix(water(), {}));
   EXPECT_EQ(r.touching, 1.0);

@@ -113,7 +113,7 @@ struct Rotation {
 };
 
 template <class Turn>
-laws::History turned_history(laws::History h, const Turn& turn) {
+laws::Past turned_history(laws::Past h, const Turn& turn) {
   h.slide = turn(h.slide);
   h.roll = turn(h.roll);
   return h;

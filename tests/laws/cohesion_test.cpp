@@ -105,7 +105,7 @@ TEST(Hamaker, TakesTheWorkOfItsFileToBreak) {
 double limit(const laws::Law& law, double overlap, laws::CohesionLimit choice) {
   laws::Choices choices;
   choices.cohesion_limit = choice;
-  laws::History history;
+  laws::Past history;
   history.slide = {1.0, 0, 0};
   const auto r = law.evaluate(touch_of(1e-3, 1e-3, overlap), history, law.mix(sticky(), choices));
   return norm(r.tangential) / 0.5;

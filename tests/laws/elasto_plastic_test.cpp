@@ -17,7 +17,7 @@ struct Path {
   laws::Law law;
   laws::MaterialPair material;
   laws::Choices choices{};
-  laws::History history{};
+  laws::Past history{};
   laws::Response last{};
 
   double to(double overlap) {

@@ -23,7 +23,7 @@ laws::MaterialPair rubber() {
   return m;
 }
 
-laws::Response answer(const laws::Law& law, const laws::Touch& t, const laws::History& h = {},
+laws::Response answer(const laws::Law& law, const laws::Touch& t, const laws::Past& h = {},
                       const laws::Choices& choices = {}) {
   return law.evaluate(t, h, law.mix(rubber(), choices));
 }
@@ -62,7 +62,7 @@ TEST(RescaledSpring, GivesNoMoreBackThanWasPutIn) {
   const auto gain = [](const char* name) {
     const laws::Law law = sliding(name);
     laws::Touch t = touch_of(1e-3, 1e-3, 4e-5);
-    laws::History h;
+    laws::Past h;
     double work = 0.0;
     const auto move = [&](double step) {
       t.velocity = {step / t.dt, 0, 0};
@@ -109,7 +109,7 @@ TEST(SlidingSprings, HaveADashpotUnlessAskedNotTo) {
 TEST(ViscousSliding, IsLimitedByCoulombAndRemembersNothing) {
   laws::Touch t = touch_of(1e-3, 1e-3, 1e-5);
   t.velocity = {1.0, 0, 0};
-  laws::History h;
+  laws::Past h;
   h.slide = {1e-6, 0, 0};
   const laws::Response r = answer(sliding("viscous", "restitution"), t, h);
   EXPECT_NEAR(r.force.x, -0.4 * pressed(1e-5), 1e-9 * pressed(1e-5));
@@ -161,7 +161,7 @@ TEST(Twisting, ResistsSpinAboutTheNormalAndLeavesRollingAlone) {
 TEST(Twisting, SurvivesATurningContact) {
   const laws::Law law = rolling("elastic_plastic", "elastic_plastic");
   laws::Touch t = touch_of(1e-3, 1e-3, 1e-5);
-  laws::History h;
+  laws::Past h;
   h.roll = {2e-9, 1e-9, 5e-9};
   for (int step = 1; step <= 1000; ++step) {
     const double angle = 1e-3 * step, half = angle - 0.5e-3;

@@ -25,7 +25,7 @@ inline laws::Touch touch_of_wall(double radius, double overlap, bool was_touchin
 
 /// Normal force, N, positive apart; without contact 0.
 inline double normal_force(const laws::Law& law, const laws::Touch& touch, const laws::MaterialPair& material,
-                           const laws::Choices& choices = {}, const laws::History& history = {}) {
+                           const laws::Choices& choices = {}, const laws::Past& history = {}) {
   return -law.evaluate(touch, history, law.mix(material, choices)).force.z;
 }
 
@@ -37,7 +37,7 @@ inline double restitution_shown(const laws::Law& law, const laws::MaterialPair& 
   touch.was_touching = 0.0;
   touch.overlap = 0.5 * touch.dt * speed;
   double closing = speed;
-  laws::History history;
+  laws::Past history;
   for (int step = 0; step < 40000; ++step) {
     touch.velocity = {0, 0, closing};
     const laws::Response r = law.evaluate(touch, history, constants);

@@ -46,7 +46,7 @@ struct ReferenceGrip {
 };
 
 inline void reference_slide(ReferenceResponse& r, std::string_view law, const ReferenceGrip& g,
-                            const laws::Touch& t, const laws::History& old, const laws::MaterialPair& m) {
+                            const laws::Touch& t, const laws::Past& old, const laws::MaterialPair& m) {
   const QuadVec normal = quad(t.normal), slip = reference_in_plane(g.slip, normal);
   const Quad mu = m.friction, limit = mu * g.limiting, dt = t.dt, speed = norm(quad(t.velocity));
   if (law == "none") return;
@@ -113,9 +113,8 @@ inline void reference_roll(ReferenceResponse& r, std::string_view law, const Ref
   r.torque_terms = r.torque_terms + damping * norm(quad(t.spin));
 }
 
-inline ReferenceResponse reference_response(const laws::Law& law, const laws::Touch& t,
-                                            const laws::History& old, const laws::MaterialPair& m,
-                                            const laws::Choices& choices) {
+inline ReferenceResponse reference_response(const laws::Law& law, const laws::Touch& t, const laws::Past& old,
+                                            const laws::MaterialPair& m, const laws::Choices& choices) {
   const Quad overlap = t.overlap, radius = t.radius, mass = t.mass;
   const QuadVec normal = quad(t.normal), half = quad(t.half_normal);
   ReferenceResponse r;
@@ -191,7 +190,7 @@ inline ReferenceResponse reference_response(const laws::Law& law, const laws::To
 struct RandomState {
   laws::MaterialPair material;
   laws::Touch touch;
-  laws::History history;
+  laws::Past history;
 };
 
 inline void random_bodies(RandomState& s, Draw& draw) {

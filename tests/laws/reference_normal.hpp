@@ -76,7 +76,7 @@ inline void reference_linear(ReferenceNormal& n, Quad spring, const laws::Materi
 }
 
 /// Luding (2008), eq. 5 to 8.
-inline void reference_luding(ReferenceNormal& n, const laws::Touch& t, const laws::History& old,
+inline void reference_luding(ReferenceNormal& n, const laws::Touch& t, const laws::Past& old,
                              const laws::MaterialPair& m, const laws::Choices& choices) {
   const Quad k1 = reference_spring(t, m), kp = k1 * static_cast<Quad>(m.plastic_ratio),
              kc = k1 * static_cast<Quad>(m.adhesion_ratio), delta = t.overlap;
@@ -103,7 +103,7 @@ inline void reference_luding(ReferenceNormal& n, const laws::Touch& t, const law
 }
 
 /// Thakur et al. (2014): branches in delta^n.
-inline void reference_edinburgh(ReferenceNormal& n, const laws::Touch& t, const laws::History& old,
+inline void reference_edinburgh(ReferenceNormal& n, const laws::Touch& t, const laws::Past& old,
                                 const laws::MaterialPair& m, const laws::Choices& choices) {
   const Quad delta = t.overlap, radius = t.radius, modulus = m.effective_modulus;
   const bool linear = choices.linear_loading;
@@ -170,7 +170,7 @@ inline Quad jkr_force(Quad overlap, Quad radius, const laws::MaterialPair& m) {
   return n.force;
 }
 
-inline ReferenceNormal reference_normal(std::string_view law, const laws::Touch& t, const laws::History& old,
+inline ReferenceNormal reference_normal(std::string_view law, const laws::Touch& t, const laws::Past& old,
                                         const laws::MaterialPair& m, const laws::Choices& choices) {
   ReferenceNormal n;
   const Quad overlap = t.overlap, radius = t.radius, pressed = overlap > 0 ? overlap : Quad{0};
