@@ -170,7 +170,7 @@ void append_walls(Keys& keys) {
            .dimension = dimension::angle,
            .example = R"("30 deg")",
            .standard = R"("20 deg")",
-           .range = positive,
+           .range = {Range::End::excluded, Range::End::included, 0.0, 0.25},
            .only_when = {"shape", {"mesh"}},
            .help =
                "triangles that meet at less than this are one smooth surface, above it they form an edge"},

@@ -2,8 +2,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
+#include "case/build_walls.hpp"
 #include "case/rules.hpp"
 
 namespace pulvis::case_file {
@@ -40,13 +42,22 @@ void motions_have_an_end(const Section& phase, const std::string& criterion, con
     const Section& motion = root.group("motions")[*index];
     const std::string* kind = motion.optional_text("kind");
     if (kind == nullptr) continue;
-    const bool repeats = *kind == "sine" || *kind == "swing" || *kind == "sines" ||
-                         *kind == "modulated_square" || *kind == "rotation";
+    if (!problems.empty()) return;  // a value that is asked for below may be missing
+    const motions::Motion made = build_motion(motion).motion;
+    const double period = motions::fault(made) ? 0.0 : motions::cycle(made).value_or(0.0);
+    const bool repeats = period > 0.0 && std::isfinite(period);
     const bool ends = *kind == "stroke" || *kind == "path" || motion.find("end") != nullptr;
     if (criterion == "cycles" && i == 0 && !repeats)
       problems.add(names->item_places[i],
                    fmt::format("{} waits for cycles, and a {} has none", phase.path, *kind),
                    "expected until = \"time\" or \"motions\", or a motion that repeats");
+    const Setting* cycles = phase.find("cycles");
+    if (criterion == "cycles" && i == 0 && repeats && cycles != nullptr &&
+        made.end < made.start + cycles->numbers.front() * period * (1.0 - 1e-9))
+      problems.add(names->item_places[i],
+                   fmt::format("{} waits for {:g} cycles of \"{}\", which ends before", phase.path,
+                               cycles->numbers.front(), names->texts[i]),
+                   "expected a later end of the motion, or fewer cycles");
     if (criterion == "motions" && !ends)
       problems.add(names->item_places[i],
                    fmt::format("{} waits for the end of its motions, and \"{}\" has none", phase.path,

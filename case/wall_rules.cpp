@@ -70,13 +70,26 @@ void hole_is_inside(const Section& wall, ProblemList& problems) {
                "expected less than " + length_text(radius->numbers[0]));
 }
 
+/// It stands in the headings of results.
+bool is_plain(const std::string& name) {
+  return !name.empty() && name.size() <= 64 && std::all_of(name.begin(), name.end(), [](unsigned char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
+  });
+}
+
 // Walls of one body move as one.
 void bodies_move_as_one(const Section& root, ProblemList& problems) {
   std::map<std::string, const Section*> first_of;
   for (const Section& wall : root.group("walls")) {
     const Setting *body = wall.find("body"), *motion = wall.find("motion");
-    if (body == nullptr) continue;
-    const auto [entry, is_first] = first_of.emplace(body->texts.front(), &wall);
+    const std::string& name =
+        body != nullptr ? body->texts.front() : wall.name;  // alone, it has its own name
+    if (!is_plain(name)) {
+      problems.add(body->place, body->path + " is no name",
+                   "expected at most 64 letters a to z, digits, _ or -");
+      continue;
+    }
+    const auto [entry, is_first] = first_of.emplace(name, &wall);
     const Setting* other = entry->second->find("motion");
     const std::vector<std::string> none;
     if (is_first || (motion ? motion->texts : none) == (other ? other->texts : none)) continue;
@@ -89,6 +102,9 @@ void bodies_move_as_one(const Section& root, ProblemList& problems) {
 
 void gravity_table_is_complete(const Section& gravity, ProblemList& problems) {
   ascending(gravity, "times", problems);
+  if (const Setting* times = gravity.find("times"))
+    if (!gravity.find("factors") && !gravity.find("x") && !gravity.find("y") && !gravity.find("z"))
+      problems.add(times->place, "gravity.times stands alone", "expected factors, x, y or z beside it");
   for (const char* list : {"factors", "x", "y", "z"}) {
     const Setting* setting = gravity.find(list);
     if (setting == nullptr) continue;

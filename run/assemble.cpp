@@ -263,7 +263,7 @@ Assembly assemble(const Case& c) {
     m.sources.push_back(source_model(c, c.sources[k], beds[k].parcels));
     if (c.sources[k].kind == Source::Kind::file) continue;
     check_source(c, c.sources[k], m.sources.back(), problems);
-    check_walls_in_region(c.sources[k], m.walls, m.domain, problems);
+    check_walls_in_region(c, c.sources[k], m.walls, m.domain, problems);
   }
   check_wall_speeds(c, m.walls, m.dt, m.smallest_radius, problems);
   problems.throw_if_any();

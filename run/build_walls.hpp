@@ -29,7 +29,8 @@ bool bounds_of_wall(const Walls& walls, std::size_t wall, Vec3& low, Vec3& high)
 void check_walls(const Case& c, const Walls& walls, double largest_radius, Problems& problems);
 
 /// Refuses walls that cut through a source's region: parcels would appear on both sides.
-void check_walls_in_region(const Source& source, const Walls& walls, const Box& domain, Problems& problems);
+void check_walls_in_region(const Case& c, const Source& source, const Walls& walls, const Box& domain,
+                           Problems& problems);
 
 /// Refuses bodies that go through each other, where the case puts them or on their ways.
 void check_bodies_keep_apart(const Case& c, const Walls& walls, const Box& domain, double dt,

@@ -104,7 +104,7 @@ double foreseen_length(const Case& c, const Phase& phase) {
     case Phase::Until::time:
       return phase.duration;
     case Phase::Until::cycles:
-      return phase.cycles * cycle(c.motions[phase.motions.front()].motion).value_or(0.0);
+      return length_of_cycles(c.motions[phase.motions.front()].motion, phase.cycles).value_or(0.0);
     case Phase::Until::motions: {
       double length = 0.0;
       for (const std::size_t m : phase.motions)
@@ -120,6 +120,12 @@ TriangleMesh moved(const TriangleMesh& mesh, const Rigid& by) {
   TriangleMesh result = mesh;
   for (Vec3& p : result.points) p = by(p);
   return result;
+}
+
+/// What repeats is looked at for a few cycles, all else for its whole length, s.
+double span_worth_looking(const motions::Motion& motion, double length) {
+  if (std::holds_alternative<motions::SquareWave>(motion.kind)) return length;  // swells for many cycles
+  return length_of_cycles(motion, 4.0).value_or(length);
 }
 
 /// Looks for bodies that pierce each other. Names the first pair only once.
@@ -165,8 +171,9 @@ class Keeper {
                                                format_quantity(since, dimension::time), phase->name);
     problems_.add(
         "walls." + first->name,
-        fmt::format("{} and {} cut into each other at {}, {}\n  move one of them, or mend its motion", one,
-                    other, place_text(place), when));
+        fmt::format("{} and {} cut into each other at {}, {}\n  move one of them, mend its motion, or give "
+                    "them the same body if they belong together",
+                    one, other, place_text(place), when));
   }
 
   const Case& case_;
@@ -179,6 +186,14 @@ class Keeper {
 bool is_absent(const Case& c, const Walls& walls, std::uint32_t body, const Phase& phase) {
   return std::any_of(phase.without.begin(), phase.without.end(),
                      [&](std::size_t w) { return c.walls[w].body == walls.bodies[body].name; });
+}
+
+/// Planes have no end: where they stand still, it is no fault that others cut them.
+bool is_plane_at_rest(const Case& c, const Walls& walls, std::uint32_t body) {
+  return walls.bodies[body].motions.empty() &&
+         std::all_of(c.walls.begin(), c.walls.end(), [&](const Wall& w) {
+           return w.body != walls.bodies[body].name || w.shape == Wall::Shape::plane;
+         });
 }
 
 bool moves_in(const Walls& walls, std::uint32_t body, const Phase& phase) {
@@ -228,7 +243,15 @@ void check_walls(const Case& c, const Walls& walls, double largest_radius, Probl
   }
 }
 
-void check_walls_in_region(const Source& source, const Walls& walls, const Box& domain, Problems& problems) {
+void check_walls_in_region(const Case& c, const Source& source, const Walls& walls, const Box& domain,
+                           Problems& problems) {
+  const auto number = static_cast<std::size_t>(&source - c.sources.data());
+  const auto is_there = [&](std::uint32_t body) {  // in a phase that opens the source
+    return std::any_of(c.phases.begin(), c.phases.end(), [&](const Phase& p) {
+      const bool opens = std::find(p.sources.begin(), p.sources.end(), number) != p.sources.end();
+      return opens && !is_absent(c, walls, body, p);
+    });
+  };
   const TriangleMesh region = triangles_of(source.region);
   const auto check = [&](const TriangleMesh& mesh, const std::string& name) {
     if (!first_piercing(region, mesh, rounding)) return;
@@ -239,9 +262,10 @@ void check_walls_in_region(const Source& source, const Walls& walls, const Box& 
                     name, source.name));
   };
   for (const Surface& s : walls.surfaces)
-    if (s.kind != Surface::Kind::patch) check(triangles_of(s, domain), s.name);
+    if (s.kind != Surface::Kind::patch && is_there(s.body)) check(triangles_of(s, domain), s.name);
   for (const FacetedWall& mesh : walls.meshes)
-    check(mesh.mesh(), walls.names[walls.surfaces[mesh.first_surface].wall]);
+    if (is_there(walls.surfaces[mesh.first_surface].body))
+      check(mesh.mesh(), walls.names[walls.surfaces[mesh.first_surface].wall]);
 }
 
 void check_bodies_keep_apart(const Case& c, const Walls& walls, const Box& domain, double dt,
@@ -252,15 +276,16 @@ void check_bodies_keep_apart(const Case& c, const Walls& walls, const Box& domai
   const double looks = std::clamp(4e5 / static_cast<double>(keeper.triangles() + 1), 16.0, 256.0);
   for (const Phase& phase : c.phases) {
     const auto present = [&](std::uint32_t a, std::uint32_t b) {
+      const bool both_at_rest = walls.bodies[a].motions.empty() && walls.bodies[b].motions.empty();
+      if (both_at_rest && (is_plane_at_rest(c, walls, a) || is_plane_at_rest(c, walls, b))) return false;
       return !is_absent(c, walls, a, phase) && !is_absent(c, walls, b, phase);
     };
     keeper.look(foresight, &phase, 0.0, present);
     const double length = foreseen_length(c, phase);
-    double span = length;
-    for (const std::size_t m : phase.motions)  // what repeats is looked at for a few cycles
-      if (const auto period = cycle(c.motions[m].motion);
-          period && !std::holds_alternative<motions::SquareWave>(c.motions[m].motion.kind))
-        span = std::min(span, 4.0 * *period);
+    double span = 0.0;
+    for (const std::size_t m : phase.motions)
+      span = std::max(span, span_worth_looking(c.motions[m].motion, length));
+    span = std::min(span, length);
     const bool any_moves = !phase.motions.empty();
     for (double k = 1.0; any_moves && k <= looks; k += 1.0)
       keeper.look(foresight, &phase, span * k / looks, [&](std::uint32_t a, std::uint32_t b) {

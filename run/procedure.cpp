@@ -19,7 +19,8 @@ namespace {
 constexpr std::uint64_t steps_between_questions = 100;  // for criteria that must look at every parcel
 
 std::uint64_t steps_for(double seconds, double dt) {
-  return static_cast<std::uint64_t>(std::llround(std::max(seconds / dt, 1.0)));
+  constexpr double endless = 1e15;  // no run takes as many steps
+  return static_cast<std::uint64_t>(std::llround(std::clamp(seconds / dt, 1.0, endless)));
 }
 
 /// Translational energy of all parcels, J. Spin about a contact's normal meets no resistance, so rotation may
@@ -75,12 +76,12 @@ std::optional<std::uint64_t> Procedure::planned_steps(const Phase& p) const {
   const double dt = simulation_.model().dt;
   if (p.until == Phase::Until::time) return steps_for(p.duration, dt);
   if (p.until == Phase::Until::cycles)
-    return steps_for(p.cycles * cycle(simulation_.model().motions[p.motions.front()]).value(), dt);
+    return steps_for(length_of_cycles(simulation_.model().motions[p.motions.front()], p.cycles).value(), dt);
   if (p.until == Phase::Until::motions) {
     double longest = 0.0;
     for (const std::size_t m : p.motions)
       longest = std::max(longest, duration(simulation_.model().motions[m]).value());
-    return static_cast<std::uint64_t>(std::ceil(longest / dt));  // not before they have come to rest
+    return steps_for(longest + 0.5 * dt, dt);  // not before they have come to rest
   }
   return {};
 }

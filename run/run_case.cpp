@@ -61,7 +61,7 @@ class Runner {
     for (const Phase& p : c.phases) {
       double length = std::max(p.duration, p.time_limit);
       if (p.until == Phase::Until::cycles)
-        length = std::max(length, p.cycles * cycle(c.motions[p.motions.front()].motion).value());
+        length = std::max(length, length_of_cycles(c.motions[p.motions.front()].motion, p.cycles).value());
       if (p.until == Phase::Until::motions)
         for (const std::size_t m : p.motions)
           length = std::max(length, duration(c.motions[m].motion).value());

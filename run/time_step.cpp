@@ -10,6 +10,7 @@
 #include "engine/parcels/parcels.hpp"
 #include "run/body_pull.hpp"
 #include "run/build_walls.hpp"
+#include "run/wall_mesh.hpp"
 
 namespace pulvis {
 namespace {
@@ -40,6 +41,7 @@ double fall_height(const Case& c, const Walls& built, const Source& source) {
   const double g = norm(gravity);
   if (g == 0.0) return 0.0;
   const Vec3 down = gravity / g;
+  const Box domain{c.domain.min, c.domain.max, {}};
   Depths start, end, walls;
   end.add_box(down, c.domain.min, c.domain.max);
   if (source.kind == Source::Kind::file)
@@ -50,8 +52,10 @@ double fall_height(const Case& c, const Walls& built, const Source& source) {
     Vec3 low, high;
     if (bounds_of_wall(built, w, low, high))
       walls.add_box(down, low, high);
-    else
-      walls.add(dot(down, c.walls[w].point));
+    else  // a plane, as far as the domain reaches
+      for (const Vec3& p :
+           triangles_of(plane_surface("", c.walls[w].point, c.walls[w].normal), domain).points)
+        walls.add(dot(down, p));
   }
   const double floor = walls.deepest > start.shallowest ? least(end.deepest, walls.deepest) : end.deepest;
   return greatest(floor - start.shallowest, 0.0);

@@ -32,6 +32,11 @@ std::vector<Vec3> middles_of_bodies(const Walls& walls) {
   return middles;
 }
 
+/// A rotation has cycles too, but they are no shaking.
+std::optional<double> period_of_shaking(const motions::Motion& motion) {
+  return std::holds_alternative<motions::Rotation>(motion.kind) ? std::nullopt : motions::cycle(motion);
+}
+
 void scale(TileLoad& load, double by) {
   load.normal *= by;
   load.shear *= by;
@@ -79,7 +84,7 @@ void WallLoads::begin_phase(const Phase& phase, const Simulation& simulation) {
   double length = case_.measures.wall_window.value_or(default_window_);
   cycles_ = false;
   if (!phase.motions.empty())
-    if (const auto period = cycle(case_.motions[phase.motions.front()].motion)) {
+    if (const auto period = period_of_shaking(case_.motions[phase.motions.front()].motion)) {
       // Whole cycles: as many as come closest to the window the case states, at least one.
       const double stated = case_.measures.wall_window.value_or(*period);
       length = std::max(1.0, std::round(stated / *period)) * *period;

@@ -10,12 +10,19 @@
 namespace pulvis {
 namespace {
 
+/// Whether a body is nothing but the wall that gave it its name.
+bool is_single_wall(const Walls& walls, std::uint32_t body) {
+  return std::all_of(walls.surfaces.begin(), walls.surfaces.end(), [&](const Surface& s) {
+    return s.body != body || walls.names[s.wall] == walls.bodies[body].name;
+  });
+}
+
 /// Walls by their names, then bodies of more than one wall.
 std::vector<std::pair<std::string, const WallLoad*>> named_loads(const Walls& walls, const WallWindow& w) {
   std::vector<std::pair<std::string, const WallLoad*>> list;
   for (std::size_t k = 0; k < walls.names.size(); ++k) list.push_back({walls.names[k], &w.walls[k]});
   for (std::size_t b = 0; b < walls.bodies.size(); ++b)
-    if (std::find(walls.names.begin(), walls.names.end(), walls.bodies[b].name) == walls.names.end())
+    if (!is_single_wall(walls, static_cast<std::uint32_t>(b)))
       list.push_back({"body " + walls.bodies[b].name, &w.bodies[b]});
   return list;
 }

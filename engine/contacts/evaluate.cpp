@@ -169,6 +169,17 @@ void ContactEvaluator::settle_edges(NearWalls& near, std::uint32_t i, const Parc
     scratch.owner[k] = k;
   }
   bool any = false;
+  const double same = 1e-9 * p.radius;
+  for (std::uint32_t k = 1; k < count; ++k)  // exactly on the seam of two faces it lies in both
+    for (std::uint32_t other = 0; other < k && scratch.owner[k] == k; ++other) {
+      const WallSight &a = scratch.sights[k], &b = scratch.sights[other];
+      if (!a.nearest.in_face || !b.nearest.in_face || a.distance >= p.radius) continue;
+      const Surface &own = walls.surfaces[near.surface[begin + k]],
+                    &its = walls.surfaces[near.surface[begin + other]];
+      if (own.body != its.body || norm(a.offset - b.offset) > same) continue;
+      scratch.owner[k] = scratch.owner[other];
+      any = true;
+    }
   for (std::uint32_t k = 0; k < count; ++k) {
     const WallSight& sight = scratch.sights[k];
     if (sight.nearest.in_face || !(near.touching[begin + k] || sight.distance < p.radius + approach_))

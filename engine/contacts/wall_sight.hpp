@@ -46,9 +46,10 @@ inline bool crossed(const Walls& walls, const NearWalls& near, std::size_t slot,
       if (walls.meshes[surface.mesh].passed(facet, from, to)) return true;
     return false;
   }
-  if (!sight.nearest.in_face) return false;
   const double was = nearest_point(surface, from).elevation, is = sight.nearest.elevation;
-  return is == 0.0 || (was > 0.0) != (is > 0.0);
+  if (is == 0.0) return sight.nearest.in_face;
+  if ((was > 0.0) == (is > 0.0)) return false;
+  return nearest_point(surface, from + (was / (was - is)) * way).in_face;  // where it passed
 }
 
 }  // namespace pulvis

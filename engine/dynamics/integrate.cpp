@@ -37,16 +37,13 @@ inline void kick_rotating_last(Parcel& p, const Load& load, const ForceField& fi
   p.spin = solve_turning(half_dt * field.spin, p.spin - half_dt * field.spin_rate);
 }
 
-/// Moves a coordinate that left a periodic axis back by one length, and its reference with it.
-inline void wrap(double& x, double& reference, double low, double high) {
-  const double length = high - low;
-  if (x >= high) {
-    x -= length;
-    reference -= length;
-  } else if (x < low) {
-    x += length;
-    reference += length;
-  }
+/// Moves a coordinate that left a periodic axis back by one length, and its reference with it; true if it did.
+inline bool wrap(double& x, double& reference, double low, double high) {
+  const double length = x >= high ? high - low : x < low ? low - high : 0.0;
+  if (length == 0.0) return false;
+  x -= length;
+  reference -= length;
+  return true;
 }
 
 /// False also where a coordinate is not a number.
@@ -73,7 +70,8 @@ StepNotice begin_step(Parcels& parcels, const Box& box, const ForceField& field,
       p.position += move;
       if (any_periodic)
         for (int axis = 0; axis < 3; ++axis)
-          if (box.periodic[axis]) wrap(p.position[axis], reference[i][axis], box.min[axis], box.max[axis]);
+          if (box.periodic[axis])
+            mine.wrapped |= wrap(p.position[axis], reference[i][axis], box.min[axis], box.max[axis]);
       const Vec3 since = p.position - reference[i];
       mine.outside |= !inside(p.position, box) || !(dot(p.spin, p.spin) < 1e300);
       mine.too_fast |= dot(move, move) > 0.25 * (p.radius * p.radius);
@@ -86,6 +84,7 @@ StepNotice begin_step(Parcels& parcels, const Box& box, const ForceField& field,
     all.outside |= n.outside;
     all.too_fast |= n.too_fast;
     all.stale |= n.stale;
+    all.wrapped |= n.wrapped;
   }
   return all;
 }

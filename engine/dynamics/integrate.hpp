@@ -15,6 +15,7 @@ struct StepNotice {
   bool outside = false;   ///< a position is outside the box, or it or a spin is not a finite number
   bool too_fast = false;  ///< a parcel moved more than half its radius in one step
   bool stale = false;     ///< a parcel left the margin the lists were made for
+  bool wrapped = false;   ///< a parcel came back at the other end of a periodic axis
 };
 
 /// First half of velocity Verlet: v += (F/m) dt/2, omega += (T/I) dt/2, x += v dt; wraps periodic axes.

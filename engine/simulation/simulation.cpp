@@ -44,6 +44,8 @@ Simulation::Simulation(Model model, State state, int threads)
                  model_.classes.longest_approach(model_.largest_radius)) {
   pairs_.memory.used = walls_.memory.used = model_.classes.remember();
   find_body_corners();
+  has_bounded_walls_ = std::any_of(model_.walls.surfaces.begin(), model_.walls.surfaces.end(),
+                                   [](const Surface& s) { return s.kind != Surface::Kind::plane; });
   for (const motions::Motion& motion : model_.motions) motion_peaks_.push_back(motions::peaks(motion));
   for (std::size_t b = 0; b < poses_.size(); ++b) {
     const Rigid at = placement(b, state_.step);
@@ -66,7 +68,10 @@ void Simulation::step() {
                                        reference_, margin_, threads());
   move_bodies_to(state_.step + 1);
   if (notice.outside || notice.too_fast) take_out_escaped(notice);
-  if (notice.stale || a_body_left_its_margin()) rebuild();
+  // Walls have no periodic images: what wrapped must look anew for those at the other end.
+  walls_may_be_left_ = notice.wrapped && has_bounded_walls_;
+  if (notice.stale || walls_may_be_left_ || a_body_left_its_margin()) rebuild();
+  walls_may_be_left_ = false;
   evaluator_.pairs(pairs_, state_.parcels, model_.classes, nearest_, model_.dt, threads());
   evaluator_.walls(walls_, state_.parcels, model_.walls, poses_, model_.classes, model_.dt, threads(),
                    crossings_);
@@ -189,7 +194,7 @@ TouchingList Simulation::without_body(const TouchingList& list, std::size_t body
 }
 
 void Simulation::require_nothing_inside(std::size_t body) const {
-  constexpr double deepest = 0.5;  // radii between centre and wall; contacts never come near it
+  constexpr double deepest = 0.95;  // radii between centre and wall: a parcel may touch it, no more
   for (std::size_t i = 0; i < state_.parcels.size(); ++i)
     for (std::uint32_t slot = walls_.begin[i]; slot < walls_.begin[i + 1]; ++slot) {
       const Parcel& p = state_.parcels.body[i];
@@ -384,8 +389,9 @@ std::vector<std::uint32_t> Simulation::rebuild(const TouchingList& old_pairs, co
 
   pairs_.rebuild(state_.parcels, margin_, reach_, model_.domain, threads());
   walls_.rebuild(state_.parcels, model_.walls, poses_, margin_, body_margin_, reach_, threads());
-  const std::size_t found =
-      pairs_.restore(old_pairs, old_index, state_.parcels, threads()) + walls_.restore(old_walls, old_index);
+  const std::size_t pairs_found = pairs_.restore(old_pairs, old_index, state_.parcels, threads());
+  const std::size_t walls_found = walls_.restore(old_walls, old_index);
+  const std::size_t found = pairs_found + (walls_may_be_left_ ? old_walls.size() : walls_found);
 
   sort_wall_slots();
 

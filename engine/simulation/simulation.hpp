@@ -101,6 +101,8 @@ class Simulation {
   std::vector<std::array<Vec3, 8>> body_corners_;  ///< of a box around what parcels can touch, its own frame
   std::vector<std::uint32_t> wall_slots_by_id_;
   std::vector<motions::Peaks> motion_peaks_;
+  bool has_bounded_walls_ = false;
+  bool walls_may_be_left_ = false;   ///< contacts with walls may end without their law in this rebuild
   std::vector<double> margin_;       ///< m per parcel
   std::vector<double> body_margin_;  ///< m per body
   std::vector<Crossing> crossings_;

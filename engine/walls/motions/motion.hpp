@@ -38,6 +38,12 @@ Peaks peaks(const Motion& motion);
 /// square wave without its modulation; one full turn of a rotation.
 std::optional<double> cycle(const Motion& motion);
 
+/// How long it takes to make so many cycles, its `start` included, s; none if it has no cycles.
+inline std::optional<double> length_of_cycles(const Motion& motion, double cycles) {
+  const std::optional<double> period = cycle(motion);
+  return period ? std::optional(motion.start + cycles * *period) : std::nullopt;
+}
+
 /// When the body has come to rest for good, s after the motion was set going, if ever.
 std::optional<double> duration(const Motion& motion);
 
