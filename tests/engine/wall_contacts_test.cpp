@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "tests/support/scene.hpp"
+#include "tests/support/meshes.hpp"
 #include "tests/support/sums.hpp"
 
 using namespace pulvis;
@@ -99,6 +99,45 @@ TEST(SphereInACylinder, HasTwoContactsInTheCornerAndOneOnTheRim) {
   EXPECT_EQ(contacts_at(cup, {0, 0.01, 0.02 + 0.999 * radius}), 1u);
   EXPECT_EQ(contacts_at(cup, {0.0107 * std::sqrt(0.5), 0.0107 * std::sqrt(0.5), -0.0006}), 1u)
       << "outer edge of the base";
+}
+
+TEST(SphereOverTheSeamOfTwoFaces, HasOneContact) {
+  const std::vector<Surface> floor{rectangle_surface("a", {-0.01, -0.01, 0}, {0.01, 0, 0}, {0, 0.02, 0}),
+                                   rectangle_surface("b", {0, -0.01, 0}, {0.01, 0, 0}, {0, 0.02, 0})};
+  for (const double beside : {0.0, 1e-6, -1e-6, 1e-14})
+    EXPECT_EQ(contacts_at(floor, {beside, 0.001, 0.999 * radius}), 1u) << beside;
+}
+
+TEST(SphereThatLeavesPastAnEdge, IsSeenToCrossTheFaceItWentThrough) {
+  Model m = with_surfaces({rectangle_surface("plate", {-0.01, -0.01, 0}, {0.01, 0, 0}, {0, 0.02, 0})});
+  // In one step from above the plate to below it and beyond its edge.
+  Simulation s(m, state_of(m, {heavy({-5e-5, 0, 2e-5}, {100, 0, -100})}), 1);
+  s.step();
+  EXPECT_EQ(s.state().ledger.escaped, 1u);
+}
+
+TEST(SphereThatWraps, FindsTheFloorAtTheOtherEnd) {
+  // A floor of one plate, of two plates and of triangles, across a periodic axis.
+  for (const int kind : {0, 1, 2}) {
+    std::vector<Surface> floor;
+    if (kind == 0) floor = {rectangle_surface("a", {-0.01, -0.01, 0}, {0.02, 0, 0}, {0, 0.02, 0})};
+    if (kind == 1)
+      floor = {rectangle_surface("a", {-0.01, -0.01, 0}, {0.01, 0, 0}, {0, 0.02, 0}),
+               rectangle_surface("b", {0, -0.01, 0}, {0.01, 0, 0}, {0, 0.02, 0})};
+    Model m = with_surfaces(floor);
+    m.domain.min.x = -0.01;
+    m.domain.max.x = 0.01;
+    m.domain.periodic[0] = true;
+    pulvis::testing::Draw draw(1, 108);
+    if (kind == 2)
+      add_mesh(m, random_triangles({-0.01, -0.01, 0}, {0.02, 0, 0}, {0, 0.02, 0}, 8, 8, 0.2, draw));
+    Simulation s(m, state_of(m, {heavy({0.0099, 0, 0.999 * radius}, {0.1, 0, 0})}), 1);
+    for (int k = 0; k < 2000; ++k) {
+      s.step();
+      ASSERT_EQ(touching(s.walls()), 1u) << "floor " << kind << ", step " << k;
+    }
+    EXPECT_LT(s.state().parcels.body[0].position.x, 0.0);
+  }
 }
 
 TEST(SphereAtTwoBodies, TouchesBoth) {

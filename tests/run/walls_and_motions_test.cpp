@@ -165,6 +165,32 @@ body = "tool"
                  {"right angles"}, "");
 }
 
+TEST(Bodies, ThatBearAWallsNameMoveAsThatWallDoes) {
+  const std::string rim = R"([walls.rim]
+shape = "rectangle"
+corner = ["3 mm", "0 mm", "4 mm"]
+along = ["0.9 mm", "0 mm", "0 mm"]
+across = ["0 mm", "3 mm", "0 mm"]
+material = "steel"
+body = "die"
+
+[motions.shaking])";
+  expect_refused(with(small_die, "[motions.shaking]", rim), 3, {"\"die\"", "different motions"}, "");
+  expect_refused(with(small_die, "motion = \"shaking\"\n", "motion = \"shaking\"\nbody = \"a,b\"\n"), 3,
+                 {"walls.die.body is no name"}, "");
+}
+
+TEST(Cycles, AreCountedFromTheStartOfTheMotion) {
+  TemporaryFolder folder;
+  const std::string late = with(small_die, "phase = \"-90 deg\"", "phase = \"-90 deg\"\nstart = \"5 ms\"");
+  const Outcome run = call({"run", folder.file("case.toml", late), "--out", folder / "out"});
+  ASSERT_EQ(run.exit, 0) << run.err;
+  const Json shake = json_of(folder / "out/result.json")["phases"][2];
+  EXPECT_NEAR(shake["end_s"].get<double>() - shake["start_s"].get<double>(), 0.025, 1e-5);
+  const std::string early = with(small_die, "phase = \"-90 deg\"", "phase = \"-90 deg\"\nend = \"15 ms\"");
+  expect_refused(early, 3, {"waits for 2 cycles", "ends before"}, "");
+}
+
 TEST(Motions, ThatCannotBeMadeAreRefused) {
   const std::string sine = "kind = \"sine\"\nfrequency = \"100 Hz\"";
   const auto expect = [&](const std::string& instead, const std::vector<std::string>& parts) {
@@ -177,6 +203,10 @@ TEST(Motions, ThatCannotBeMadeAreRefused) {
   expect("kind = \"path\"\ntimes = [\"1 s\", \"0 s\"]\nx = [\"0 mm\", \"1 mm\"]", {"is not ascending"});
   expect("kind = \"path\"\ntimes = [\"0 s\", \"1 s\"]", {"a path without places"});
   expect("kind = \"translation\"\nvelocity = [\"1 mm/s\", \"0 m/s\", \"0 m/s\"]", {"waits for cycles"});
+  expect("kind = \"rotation\"\nrate = \"0 Hz\"\npoint = [\"0 m\", \"0 m\", \"0 m\"]", {"waits for cycles"});
+  expect(
+      "kind = \"sines\"\namplitudes = [\"1 um\", \"1 um\"]\nfrequencies = [\"100 Hz\", \"141.42135623 Hz\"]",
+      {"waits for cycles"});
   expect("kind = \"modulated_square\"\nfrequency = \"100 Hz\"\namplitude = \"1 um\"\nrise_time = \"9 ms\"",
          {"motions.shaking"});
   expect("kind = \"sine\"\nfrequency = \"100 Hz\"\namplitude = \"100 mm\"", {"5 % of the smallest radius"});
@@ -244,6 +274,8 @@ acceleration = ["0 m/s^2", "0 m/s^2", "0 m/s^2"]
 TEST(GravityTable, MustBeComplete) {
   const std::string gravity = "[gravity]\ntimes = [\"0 s\", \"1 s\"]\nfactors = [1]\n\n[materials.glass]";
   expect_refused(with(small_die, "[materials.glass]", gravity), 3, {"gravity.factors has 1 elements"}, "");
+  expect_refused(with(small_die, "[materials.glass]", "[gravity]\ntimes = [\"0 s\"]\n\n[materials.glass]"), 3,
+                 {"gravity.times stands alone"}, "");
   expect_refused(with(small_die, "[materials.glass]", "[gravity]\nfactors = [1]\n\n[materials.glass]"), 3,
                  {"needs gravity.times"}, "");
 }
