@@ -127,7 +127,9 @@ void WallLoads::sample(const Simulation& simulation) {
       sum.normal += normal;
       sum.shear += force - normal * outward;
     };
-    add(current_.tiles[tiling_.tile_of(near.surface[slot], sight.facet, sight.nearest.point)]);
+    // A plane just outside the domain has no tiles, though parcels inside may touch it.
+    const std::uint32_t tile = tiling_.tile_of(near.surface[slot], sight.facet, sight.nearest.point);
+    if (tile != measures::WallTiling::no_tile) add(current_.tiles[tile]);
     if (surface.kind == Surface::Kind::patch) add(current_.facets[surface.mesh][sight.facet]);
   }
 }

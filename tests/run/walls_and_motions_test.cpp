@@ -229,6 +229,20 @@ material = "steel"
   EXPECT_TRUE(has(s.run.err, "slide appears where powder is")) << s.run.err;
 }
 
+TEST(PlaneJustOutsideTheDomain, BearsPowderAllTheSame) {
+  const std::string plane = "shape = \"plane\"\npoint = [\"0 mm\", \"0 mm\", \"-2.1 mm\"]\n";
+  const std::string text = with(small_die, box_die, plane) + region;
+  TemporaryFolder folder;
+  const Outcome run =
+      call({"run",
+            folder.file("case.toml", with(text, "max = [\"4 mm\", \"4 mm\", \"12 mm\"]",
+                                          "max = [\"4 mm\", \"4 mm\", \"12 mm\"]\nescape = \"count\"")),
+            "--out", folder / "out"});
+  ASSERT_EQ(run.exit, 0) << run.err;
+  const Json result = json_of(folder / "out/result.json");
+  EXPECT_LT(result["phases"].back()["walls"]["die"]["force_N"][2].get<double>(), 0.0);
+}
+
 TEST(SlideGate, HoldsPowderUntilItIsTakenAway) {
   const std::string gate = R"([walls.gate]
 shape = "rectangle"
