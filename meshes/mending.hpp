@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "engine/math/bounds.hpp"
 #include "engine/walls/triangle_mesh.hpp"
-#include "meshes/bounds.hpp"
 #include "meshes/triangle_soup.hpp"
 
 namespace pulvis {

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "meshes/bounds.hpp"
+#include "engine/math/bounds.hpp"
 
 namespace pulvis {
 namespace {

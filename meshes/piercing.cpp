@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "meshes/box_tree.hpp"
+#include "engine/walls/box_tree.hpp"
 #include "meshes/edges.hpp"
 
 namespace pulvis {

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "engine/walls/facet_tree.hpp"
+#include "engine/walls/box_tree.hpp"
 #include "engine/walls/surface.hpp"
 #include "engine/walls/triangle_mesh.hpp"
 
@@ -59,7 +59,7 @@ class FacetedWall {
 
   TriangleMesh mesh_;
   std::vector<Facet> facet_;
-  FacetTree tree_;
+  BoxTree tree_;
   std::uint32_t patches_ = 0;
 };
 

@@ -48,7 +48,7 @@ TEST(FacetedWall, FindsTheNearestPointOfATriangle) {
   }
 }
 
-TEST(FacetTree, MissesNoTriangleThatIsNear) {
+TEST(BoxTree, MissesNoTriangleThatIsNear) {
   Draw draw(1, 102);
   const FacetedWall wall(soup(2000, draw), {});
   for (int look = 0; look < 200; ++look) {

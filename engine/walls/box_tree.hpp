@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "engine/math/bounds.hpp"
 #include "engine/walls/triangle_mesh.hpp"
-#include "meshes/bounds.hpp"
 
 namespace pulvis {
 
@@ -26,6 +26,25 @@ class BoxTree {
     return std::span(order_).subspan(leaf.begin, leaf.end - leaf.begin);
   }
   bool empty() const { return order_.empty(); }
+
+  /// Calls visit(triangle) for every triangle in a leaf whose box is closer to `p` than `far`, in a fixed order.
+  template <class Visit>
+  void for_near(const Vec3& p, double far, Visit&& visit) const {
+    if (empty()) return;
+    std::uint32_t waiting[64];  // halves of halves: the tree is no higher than 32
+    int count = 0;
+    waiting[count++] = 0;
+    while (count > 0) {
+      const Node& node = nodes_[waiting[--count]];
+      if (node.bounds.square_distance(p) > far * far) continue;
+      if (node.first_child == 0) {
+        for (const std::uint32_t t : triangles(node)) visit(t);
+      } else {
+        waiting[count++] = node.first_child + 1;
+        waiting[count++] = node.first_child;
+      }
+    }
+  }
 
  private:
   void split(std::uint32_t number, std::span<const Bounds> boxes);

@@ -20,6 +20,14 @@ struct Bounds {
     include(other.max);
   }
   Vec3 size() const { return max - min; }
+  /// Of a point from the box; 0 inside.
+  double square_distance(const Vec3& p) const {
+    const auto beyond = [](double x, double low, double high) {
+      return greatest(greatest(low - x, x - high), 0.0);
+    };
+    return square(beyond(p.x, min.x, max.x)) + square(beyond(p.y, min.y, max.y)) +
+           square(beyond(p.z, min.z, max.z));
+  }
   Vec3 centre() const { return 0.5 * (min + max); }
   bool overlaps(const Bounds& b) const {
     return min.x <= b.max.x && b.min.x <= max.x && min.y <= b.max.y && b.min.y <= max.y && min.z <= b.max.z &&

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "meshes/box_tree.hpp"
+#include "engine/walls/box_tree.hpp"
 
 #include <algorithm>
 #include <numeric>
