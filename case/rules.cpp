@@ -139,6 +139,22 @@ void pairs_once(const Section& root, ProblemList& problems) {
   }
 }
 
+// A number of the contact law that the law of this case does not ask for would be silently ignored.
+void pairs_fit_the_law(const Section& root, ProblemList& problems) {
+  const Section& contact = root.table("contact");
+  for (const Section& pair : root.group("pairs"))
+    for (const auto& [name, setting] : pair.settings) {
+      const Key* key = find_key("contact", name);
+      if (key == nullptr || !setting.given) continue;
+      const std::string* part = contact.optional_text(key->only_when.key);
+      const auto& parts = key->only_when.values;
+      if (part == nullptr || std::find(parts.begin(), parts.end(), *part) != parts.end()) continue;
+      problems.add(setting.key_place,
+                   fmt::format("{} has no meaning where contact.{} is \"{}\"", setting.path, key->only_when.key, *part),
+                   fmt::format("it counts where contact.{}", describe_condition(key->only_when)));
+    }
+}
+
 void not_below(const Section& section, const std::string& small, const std::string& large,
                ProblemList& problems) {
   const Setting *low = section.find(small), *high = section.find(large);
@@ -305,6 +321,7 @@ std::vector<std::size_t> walls_with_inside(const Section& root) {
 void check_rules(const Section& root, ProblemList& problems) {
   corners_in_order(root.table("domain"), problems);
   pairs_once(root, problems);
+  pairs_fit_the_law(root, problems);
   for (const Section& powder : root.group("powders")) sizes(powder, problems);
   for (const Section& wall : root.group("walls")) {
     corners_in_order(wall, problems);

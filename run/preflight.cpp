@@ -8,35 +8,19 @@
 #include <cmath>
 
 #include "case/units.hpp"
-#include "engine/laws/estimates.hpp"
 #include "run/body_pull.hpp"
 #include "run/build_walls.hpp"
+#include "run/pair_law.hpp"
+#include "run/pair_numbers.hpp"
 #include "run/source_checks.hpp"
+#include "single_contact/collision.hpp"
 
 namespace pulvis {
 namespace {
 
 constexpr double bytes_per_parcel = 1000.0;  // peak of the program on dense beds; see bench/step_time
 constexpr double most_resting_overlap = 0.01, most_impact_overlap = 0.05;  // over the radius
-
-/// The d50 sphere of a powder against another of a second, or against a wall.
-struct Sizes {
-  double radius, mass;  ///< reduced
-  double own_radius, own_mass;
-};
-
-Sizes sizes_of(const Case& c, const Species& a, const Species& b, bool parcels) {
-  const auto sphere = [&](const Species& s, double& r, double& m) {
-    const Powder& p = c.powders[s.powder];
-    r = 0.5 * SizeSampler(parcels ? parcel_sizes(p) : grain_sizes(p)).median_by_mass();
-    m = c.materials[s.material].density * sphere_volume(r);
-  };
-  double r1 = 0, m1 = 0, r2 = 0, m2 = 0;
-  sphere(a, r1, m1);
-  if (!b.is_powder) return {r1, m1, r1, m1};
-  sphere(b, r2, m2);
-  return {r1 * r2 / (r1 + r2), m1 * m2 / (m1 + m2), r1, m1};
-}
+constexpr double least_restitution = 0.9;  // shown over asked for
 
 /// Pressure under the expected bed, Pa: its weight over the smallest footprint of a wall that could hold it.
 double bed_stress(const Case& c, const Walls& walls, double mass) {
@@ -59,32 +43,29 @@ double bed_stress(const Case& c, const Walls& walls, double mass) {
 }
 
 PairForecast forecast_pair(const Case& c, const Assembly& a, const PairProperties& p, double stress) {
-  const Species &s1 = a.species[p.first], &s2 = a.species[p.second];
-  const Sizes grain = sizes_of(c, s1, s2, false), parcel = sizes_of(c, s1, s2, true);
-  const double g = std::max(norm(strongest_pull(c)), 1e-300);
-  const double w0 = p.real.work_of_adhesion, w = p.simulated.work_of_adhesion;
-  const double e0 = p.real.effective_modulus, e = p.simulated.effective_modulus;
+  const double speed = a.time_step.characteristic_speed;
+  const PairNumbers grain = pair_numbers(c, a.species, p, Scale::grain, stress, speed),
+                    parcel = pair_numbers(c, a.species, p, Scale::parcel, stress, speed);
   PairForecast f;
-  f.first = s1.name;
-  f.second = s2.name;
-  const bool adheres = c.contact.normal == "jkr" && w > 0.0;
-  if (adheres) {
-    f.pull_off_real = laws::jkr_pull_off(grain.radius, w0);
-    f.pull_off = laws::jkr_pull_off(parcel.radius, w);
-    f.bond_real = f.pull_off_real / (grain.own_mass * g);
-    f.bond = f.pull_off / (parcel.own_mass * g);
-    f.sticking_speed_real = laws::jkr_sticking_speed(grain.mass, grain.radius, e0, w0);
-    f.sticking_speed = laws::jkr_sticking_speed(parcel.mass, parcel.radius, e, w);
-  }
-  // A contact at the bottom carries about the pressure times the square of a diameter.
-  const double force =
-      std::max(stress * square(2.0 * parcel.own_radius), parcel.own_mass * norm(strongest_pull(c)));
-  f.resting_overlap = (adheres ? laws::jkr_overlap_under(force, parcel.radius, e, w)
-                               : laws::hertz_overlap_under(force, parcel.radius, e)) /
-                      parcel.own_radius;
-  f.impact_overlap =
-      laws::hertz_largest_overlap(parcel.mass, parcel.radius, e, a.time_step.characteristic_speed) /
-      parcel.own_radius;
+  f.first = a.species[p.first].name;
+  f.second = a.species[p.second].name;
+  f.pull_off_real = grain.adhesion.pull_off;
+  f.pull_off = parcel.adhesion.pull_off;
+  f.bond_real = grain.bond();
+  f.bond = parcel.bond();
+  f.sticking_speed_real = grain.elastic_sticking_speed;
+  f.sticking_speed = parcel.elastic_sticking_speed;
+  f.coheres = cohesion_strength(c.contact, p.simulated) > 0.0;
+  f.holds = parcel.adhesion.holds;
+  // What a law that yields keeps of an overlap is its dent, not softness.
+  if (!parcel.contact.remembers()) f.own_overlap = parcel.adhesion.zero_force_overlap / parcel.radius;
+  f.resting_overlap = parcel.contact.overlap_under(parcel.load).value_or(parcel.radius) / parcel.radius;
+  const single_contact::Collision shown = single_contact::collide(parcel.contact, speed),
+                                  undamped = single_contact::collide(parcel.contact.undamped(), speed);
+  f.impact_overlap = undamped.largest_overlap / parcel.radius;
+  f.restitution = parcel.restitution;
+  f.restitution_shown = shown.restitution;
+  f.undamped_restitution = undamped.restitution;
   return f;
 }
 
@@ -92,6 +73,76 @@ PairForecast forecast_pair(const Case& c, const Assembly& a, const PairPropertie
 double physical_memory() {
   const long pages = ::sysconf(_SC_PHYS_PAGES), size = ::sysconf(_SC_PAGE_SIZE);
   return pages > 0 && size > 0 ? static_cast<double>(pages) * static_cast<double>(size) : 0.0;
+}
+
+void add_overlap_warnings(double speed, const PairForecast& p, std::vector<std::string>& warnings) {
+  const std::string pair = p.first + " / " + p.second;
+  if (!p.holds) {
+    warnings.push_back(
+        fmt::format("{}: cohesion exceeds stiffness at any overlap: parcels that touch are drawn into each "
+                    "other without end; raise simulated_modulus or the stiffness, or lower cohesion",
+                    pair));
+    return;
+  }
+  if (p.own_overlap > most_resting_overlap)
+    warnings.push_back(
+        fmt::format("{}: cohesion is too strong for the stiffness: under it alone parcels rest {:.2f} % of "
+                    "the radius in each other (above 1 %): raise simulated_modulus",
+                    pair, 100 * p.own_overlap));
+  else if (p.resting_overlap > most_resting_overlap)
+    warnings.push_back(
+        fmt::format("{}: expected overlap at rest is {:.2f} % of the radius (above 1 %): raise "
+                    "simulated_modulus",
+                    pair, 100 * p.resting_overlap));
+  if (p.impact_overlap > most_impact_overlap)
+    warnings.push_back(
+        fmt::format("{}: impacts at {:.3g} m/s overlap by {:.1f} % of the radius (above 5 %): "
+                    "raise simulated_modulus",
+                    pair, speed, 100 * p.impact_overlap));
+}
+
+void add_restitution_warning(double speed, const PairForecast& p, std::vector<std::string>& warnings) {
+  if (!p.holds || p.restitution_shown > least_restitution * p.restitution) return;
+  const std::string shown =
+      fmt::format("{} / {}: restitution {:.3g} is asked for, and collisions at {:.3g} m/s show {:.3g}", p.first,
+                  p.second, p.restitution, speed, p.restitution_shown);
+  if (p.undamped_restitution < p.restitution)
+    warnings.push_back(shown + fmt::format("; cohesion and yielding make more than {:.3g} unreachable",
+                                           p.undamped_restitution));
+  else
+    warnings.push_back(shown + ", since cohesion takes the rest; ask for more to get it");
+}
+
+/// Whether the case says itself how strongly a pair of materials coheres.
+bool states_cohesion(const Case& c, const Species& a, const Species& b) {
+  const PairOverride* own = find_override(c, a.material, b.material);
+  if (own == nullptr) return false;
+  bool stated = own->work_of_adhesion.has_value();
+  for (const auto& [name, value] : own->numbers)
+    stated = stated || name == "cohesion_energy_density" || name == "surface_tension" ||
+             name == "hamaker_constant" || name == "adhesion_ratio" || name == "constant_pull";
+  return stated;
+}
+
+/// Surface energy that the law ignores, and pairs that stay out of a cohesion the others have.
+void add_missing_cohesion(const Case& c, const Assembly& a, Forecast& f) {
+  const bool knows = c.contact.normal == "jkr" || c.contact.normal == "edinburgh" || c.contact.cohesion == "dmt";
+  const auto coheres = [](const PairForecast& p) { return p.coheres; };
+  const bool any = std::any_of(f.pairs.begin(), f.pairs.end(), coheres);
+  for (std::size_t k = 0; k < a.pairs.size(); ++k) {
+    const Species &first = a.species[a.pairs[k].first], &second = a.species[a.pairs[k].second];
+    const std::string pair = first.name + " / " + second.name;
+    if (!knows && a.pairs[k].real.work_of_adhesion > 0.0)
+      f.warnings.push_back(fmt::format(
+          "{} has surface energy, but contact.{} = \"{}\" knows none", pair,
+          c.contact.cohesion == "none" ? "normal" : "cohesion",
+          c.contact.cohesion == "none" ? c.contact.normal : c.contact.cohesion));
+    if (any && !f.pairs[k].coheres && !states_cohesion(c, first, second))
+      f.warnings.push_back(fmt::format(
+          "{} does not adhere although other pairs do; if that is meant, say so in [[pairs]] with materials = "
+          "[\"{}\", \"{}\"]",
+          pair, c.materials[first.material].name, c.materials[second.material].name));
+  }
 }
 
 void add_warnings(const Case& c, const Assembly& a, Forecast& f) {
@@ -104,30 +155,10 @@ void add_warnings(const Case& c, const Assembly& a, Forecast& f) {
     if (const std::string warning = rain_warning(source, strongest_pull(c)); !warning.empty())
       f.warnings.push_back(warning);
   for (const PairForecast& p : f.pairs) {
-    if (p.resting_overlap > most_resting_overlap)
-      f.warnings.push_back(
-          fmt::format("{} / {}: expected overlap at rest is {:.2f} % of the radius (above 1 %): raise "
-                      "simulated_modulus",
-                      p.first, p.second, 100 * p.resting_overlap));
-    if (p.impact_overlap > most_impact_overlap)
-      f.warnings.push_back(
-          fmt::format("{} / {}: impacts at {:.3g} m/s overlap by {:.1f} % of the radius (above 5 %): "
-                      "raise simulated_modulus",
-                      p.first, p.second, a.time_step.characteristic_speed, 100 * p.impact_overlap));
+    add_overlap_warnings(a.time_step.characteristic_speed, p, f.warnings);
+    add_restitution_warning(a.time_step.characteristic_speed, p, f.warnings);
   }
-  for (const PairProperties& p : a.pairs) {
-    if (p.real.work_of_adhesion == 0.0 || c.contact.normal == "jkr" || c.contact.normal == "edinburgh" ||
-        c.contact.cohesion == "dmt")
-      continue;
-    f.warnings.push_back(
-        fmt::format("{} / {} has surface energy, but contact.normal = \"{}\" knows no adhesion",
-                    a.species[p.first].name, a.species[p.second].name, c.contact.normal));
-  }
-  bool adheres = false;
-  for (const PairForecast& p : f.pairs) adheres = adheres || p.pull_off > 0.0;
-  for (const PairForecast& p : f.pairs)
-    if (adheres && p.pull_off == 0.0)
-      f.warnings.push_back(fmt::format("{} / {} does not adhere although other pairs do", p.first, p.second));
+  add_missing_cohesion(c, a, f);
 }
 
 std::string force_text(double newton) { return newton > 0 ? format_quantity(newton, dimension::force) : "-"; }
@@ -225,16 +256,19 @@ std::string check_report(const Case& c, const Assembly& a, const Forecast& f) {
                       std::ceil(f.memory / 1e6), format_quantity(f.bed_stress, dimension::pressure));
   for (const std::string& note : a.notes) text += note + "\n";
   for (const Motion& motion : c.motions) text += motion_line(motion) + "\n";
-  text += fmt::format("\n{:<34} {:>12} {:>12} {:>10} {:>10} {:>12} {:>12} {:>9} {:>9}\n", "pair (d50)",
-                      "pull-off", "pull-off", "Bond", "Bond", "sticking", "sticking", "overlap", "overlap");
-  text += fmt::format("{:<34} {:>12} {:>12} {:>10} {:>10} {:>12} {:>12} {:>9} {:>9}\n", "", "real grain",
-                      "simulated", "real", "simulated", "speed real", "simulated", "at rest", "impact");
+  text += fmt::format("\n{:<34} {:>12} {:>12} {:>10} {:>10} {:>12} {:>12} {:>9} {:>9} {:>15}\n", "pair (d50)",
+                      "pull-off", "pull-off", "Bond", "Bond", "sticking", "sticking", "overlap", "overlap", "restitution");
+  text += fmt::format("{:<34} {:>12} {:>12} {:>10} {:>10} {:>12} {:>12} {:>9} {:>9} {:>15}\n", "", "real grain",
+                      "simulated", "real", "simulated", "speed real", "simulated", "at rest", "impact", "asked / shown");
   for (const PairForecast& p : f.pairs)
-    text += fmt::format("{:<34} {:>12} {:>12} {:>10} {:>10} {:>12} {:>12} {:>8.3f}% {:>8.2f}%\n",
+    text += fmt::format("{:<34} {:>12} {:>12} {:>10} {:>10} {:>12} {:>12} {:>8.3f}% {:>8.2f}% {:>7.3g} / {:<5.3g}\n",
                         p.first + " / " + p.second, force_text(p.pull_off_real), force_text(p.pull_off),
                         number_text(p.bond_real), number_text(p.bond), speed_text(p.sticking_speed_real),
-                        speed_text(p.sticking_speed), 100 * p.resting_overlap, 100 * p.impact_overlap);
-  text += "(Bond: pull-off force over the weight of the d50 sphere; overlaps over the radius)\n";
+                        speed_text(p.sticking_speed), 100 * p.resting_overlap, 100 * p.impact_overlap,
+                        p.restitution, p.restitution_shown);
+  text +=
+      "(Bond: pull-off force over the weight of the d50 sphere; sticking speed without damping; overlaps over the "
+      "radius;\nrestitution of parcels at the characteristic speed. More of it: pulvis law)\n";
   return text;
 }
 

@@ -79,9 +79,9 @@ std::vector<StepLimit> limits_of_law(const ContactChoice& c, const laws::Materia
     limits.push_back(
         {"unloading", name,
          laws::hertz_contact_time(m, r, pair.effective_modulus, speed) / root(pair.unloading_ratio)});
-  if (pair.liquid_viscosity > 0.0)
+  if (pair.liquid_viscosity > 0.0 && pair.surface_tension > 0.0)
     limits.push_back({"liquid", name, m * pair.shortest_bridge_gap / (6.0 * pi * pair.liquid_viscosity * r)});
-  if (c.cohesion == "hamaker")
+  if (c.cohesion == "hamaker" && pair.hamaker_constant > 0.0)
     limits.push_back(
         {"van der Waals", name,
          root(3.0 * m * pair.shortest_gap * square(pair.shortest_gap) / (pair.hamaker_constant * r))});
