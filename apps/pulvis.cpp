@@ -46,8 +46,9 @@ Exit check(const std::string& file, const std::vector<std::string>& settings) {
   return Exit::ok;
 }
 
-Exit law(const std::string& file, const std::vector<std::string>& settings, const std::vector<std::string>& pair,
-         const std::vector<std::string>& speeds, const std::string& out) {
+Exit law(const std::string& file, const std::vector<std::string>& settings,
+         const std::vector<std::string>& pair, const std::vector<std::string>& speeds,
+         const std::string& out) {
   pulvis::LawRequest request{pair, {}};
   for (const std::string& speed : speeds) request.speeds.push_back(pulvis::speed_from(speed));
   const pulvis::Case c = pulvis::read_case(file, overrides_from(settings));
@@ -123,18 +124,24 @@ int main(int argc, char** argv) {
       ->allow_extra_args(false);
 
   auto* law_command = app.add_subcommand(
-      "law", "print what the contact law makes of one contact, for each pair of materials; simulates nothing");
+      "law",
+      "print what the contact law makes of one contact, for each pair of materials; simulates nothing");
   law_command->footer(
-      "Prints, for a real grain and for the parcel simulated in its stead, pull-off force, work of separation,\n"
-      "sticking speed and the restitution that collisions really show. Everything is asked of the law itself: slow\n"
+      "Prints, for a real grain and for the parcel simulated in its stead, pull-off force, work of "
+      "separation,\n"
+      "sticking speed and the restitution that collisions really show. Everything is asked of the law "
+      "itself: slow\n"
       "pressing and pulling, and collisions integrated in time.\n"
       "Example: pulvis law case.toml --pair molybdenum steel --speed '0.1 m/s' --out curves");
   law_command->add_option("CASE", file, "case file (TOML)")->required();
   law_command->add_option("--pair", pair, "two materials or powders; default: every pair")->expected(2);
-  law_command->add_option("--speed", speeds, "speed of collisions, e.g. '0.1 m/s' (repeatable); default: parts of the "
-                                             "characteristic speed")
+  law_command
+      ->add_option("--speed", speeds,
+                   "speed of collisions, e.g. '0.1 m/s' (repeatable); default: parts of the "
+                   "characteristic speed")
       ->allow_extra_args(false);
-  law_command->add_option("--out", out, "folder for the load-unload curves: an SVG figure and a CSV file each");
+  law_command->add_option("--out", out,
+                          "folder for the load-unload curves: an SVG figure and a CSV file each");
   law_command->add_option("--set", settings, "override a key: --set key.path=value (repeatable)")
       ->allow_extra_args(false);
 

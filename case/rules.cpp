@@ -150,7 +150,8 @@ void pairs_fit_the_law(const Section& root, ProblemList& problems) {
       const auto& parts = key->only_when.values;
       if (part == nullptr || std::find(parts.begin(), parts.end(), *part) != parts.end()) continue;
       problems.add(setting.key_place,
-                   fmt::format("{} has no meaning where contact.{} is \"{}\"", setting.path, key->only_when.key, *part),
+                   fmt::format("{} has no meaning where contact.{} is \"{}\"", setting.path,
+                               key->only_when.key, *part),
                    fmt::format("it counts where contact.{}", describe_condition(key->only_when)));
     }
 }

@@ -7,7 +7,6 @@
 #include "engine/parcels/parcels.hpp"
 #include "run/body_pull.hpp"
 #include "run/pair_law.hpp"
-#include "single_contact/collision.hpp"
 
 namespace pulvis {
 namespace {
@@ -28,8 +27,7 @@ PairNumbers pair_numbers(const Case& c, const std::vector<Species>& species, con
   add_body(c, species[pair.first], scale, bodies.radius_first, bodies.mass_first);
   add_body(c, species[pair.second], scale, bodies.radius_second, bodies.mass_second);
   const laws::MaterialPair& material = scale == Scale::parcel ? pair.simulated : pair.real;
-  PairNumbers n{
-      .contact = {pair_law(c.contact, material), material, law_choices(c.contact), bodies}, .adhesion = {}};
+  PairNumbers n({pair_law(c.contact, material), material, law_choices(c.contact), bodies});
   n.radius = bodies.radius_first;
   n.weight = bodies.mass_first * norm(strongest_pull(c));
   n.load = std::max(bed_stress * square(2.0 * n.radius), n.weight);
@@ -37,7 +35,7 @@ PairNumbers pair_numbers(const Case& c, const std::vector<Species>& species, con
   n.adhesion = single_contact::adhesion(n.contact, remembers ? n.load : 0.0);
   if (c.contact.damping == "restitution") n.restitution = material.restitution;
   n.speed_scale = remembers ? speed : std::sqrt(2.0 * n.adhesion.separation_work / n.contact.mass());
-  n.elastic_sticking_speed = single_contact::sticking_speed(n.contact.undamped(), n.speed_scale);
+  n.undamped_sticking = single_contact::sticking_speeds(n.contact.undamped(), n.speed_scale);
   return n;
 }
 

@@ -13,14 +13,13 @@
 #include "run/pair_law.hpp"
 #include "run/pair_numbers.hpp"
 #include "run/source_checks.hpp"
-#include "single_contact/collision.hpp"
 
 namespace pulvis {
 namespace {
 
 constexpr double bytes_per_parcel = 1000.0;  // peak of the program on dense beds; see bench/step_time
 constexpr double most_resting_overlap = 0.01, most_impact_overlap = 0.05;  // over the radius
-constexpr double least_restitution = 0.9;  // shown over asked for
+constexpr double least_restitution = 0.9;                                  // shown over asked for
 
 /// Pressure under the expected bed, Pa: its weight over the smallest footprint of a wall that could hold it.
 double bed_stress(const Case& c, const Walls& walls, double mass) {
@@ -53,8 +52,8 @@ PairForecast forecast_pair(const Case& c, const Assembly& a, const PairPropertie
   f.pull_off = parcel.adhesion.pull_off;
   f.bond_real = grain.bond();
   f.bond = parcel.bond();
-  f.sticking_speed_real = grain.elastic_sticking_speed;
-  f.sticking_speed = parcel.elastic_sticking_speed;
+  f.sticking_speed_real = grain.undamped_sticking.highest;
+  f.sticking_speed = parcel.undamped_sticking.highest;
   f.coheres = cohesion_strength(c.contact, p.simulated) > 0.0;
   f.holds = parcel.adhesion.holds;
   // What a law that yields keeps of an overlap is its dent, not softness.
@@ -104,13 +103,13 @@ void add_overlap_warnings(double speed, const PairForecast& p, std::vector<std::
 void add_restitution_warning(double speed, const PairForecast& p, std::vector<std::string>& warnings) {
   if (!p.holds || p.restitution_shown > least_restitution * p.restitution) return;
   const std::string shown =
-      fmt::format("{} / {}: restitution {:.3g} is asked for, and collisions at {:.3g} m/s show {:.3g}", p.first,
-                  p.second, p.restitution, speed, p.restitution_shown);
+      fmt::format("{} / {}: restitution {:.3g} is asked for, and collisions at {:.3g} m/s show {:.3g}",
+                  p.first, p.second, p.restitution, speed, p.restitution_shown);
   if (p.undamped_restitution < p.restitution)
-    warnings.push_back(shown + fmt::format("; cohesion and yielding make more than {:.3g} unreachable",
+    warnings.push_back(shown + fmt::format("; cohesion or yielding makes more than {:.3g} unreachable",
                                            p.undamped_restitution));
   else
-    warnings.push_back(shown + ", since cohesion takes the rest; ask for more to get it");
+    warnings.push_back(shown + ": cohesion or yielding takes the rest; ask for more to get it");
 }
 
 /// Whether the case says itself how strongly a pair of materials coheres.
@@ -126,22 +125,24 @@ bool states_cohesion(const Case& c, const Species& a, const Species& b) {
 
 /// Surface energy that the law ignores, and pairs that stay out of a cohesion the others have.
 void add_missing_cohesion(const Case& c, const Assembly& a, Forecast& f) {
-  const bool knows = c.contact.normal == "jkr" || c.contact.normal == "edinburgh" || c.contact.cohesion == "dmt";
+  const bool knows =
+      c.contact.normal == "jkr" || c.contact.normal == "edinburgh" || c.contact.cohesion == "dmt";
+  const char* part = c.contact.cohesion == "none" ? "normal" : "cohesion";
   const auto coheres = [](const PairForecast& p) { return p.coheres; };
   const bool any = std::any_of(f.pairs.begin(), f.pairs.end(), coheres);
   for (std::size_t k = 0; k < a.pairs.size(); ++k) {
     const Species &first = a.species[a.pairs[k].first], &second = a.species[a.pairs[k].second];
     const std::string pair = first.name + " / " + second.name;
     if (!knows && a.pairs[k].real.work_of_adhesion > 0.0)
-      f.warnings.push_back(fmt::format(
-          "{} has surface energy, but contact.{} = \"{}\" knows none", pair,
-          c.contact.cohesion == "none" ? "normal" : "cohesion",
-          c.contact.cohesion == "none" ? c.contact.normal : c.contact.cohesion));
+      f.warnings.push_back(
+          fmt::format("{} has surface energy, but contact.{} = \"{}\" knows no such adhesion", pair, part,
+                      c.contact.cohesion == "none" ? c.contact.normal : c.contact.cohesion));
     if (any && !f.pairs[k].coheres && !states_cohesion(c, first, second))
-      f.warnings.push_back(fmt::format(
-          "{} does not adhere although other pairs do; if that is meant, say so in [[pairs]] with materials = "
-          "[\"{}\", \"{}\"]",
-          pair, c.materials[first.material].name, c.materials[second.material].name));
+      f.warnings.push_back(
+          fmt::format("{} does not adhere although other pairs do; if that is meant, say so in [[pairs]] "
+                      "with materials = "
+                      "[\"{}\", \"{}\"]",
+                      pair, c.materials[first.material].name, c.materials[second.material].name));
   }
 }
 
@@ -162,7 +163,10 @@ void add_warnings(const Case& c, const Assembly& a, Forecast& f) {
 }
 
 std::string force_text(double newton) { return newton > 0 ? format_quantity(newton, dimension::force) : "-"; }
-std::string speed_text(double speed) { return speed > 0 ? format_quantity(speed, dimension::speed) : "-"; }
+std::string speed_text(double speed) {
+  if (std::isinf(speed)) return "any";
+  return speed > 0 ? format_quantity(speed, dimension::speed) : "-";
+}
 std::string number_text(double value) { return value > 0 ? fmt::format("{:.4g}", value) : "-"; }
 
 /// Half the way of a motion that swings to and fro, m, and its direction.
@@ -257,17 +261,21 @@ std::string check_report(const Case& c, const Assembly& a, const Forecast& f) {
   for (const std::string& note : a.notes) text += note + "\n";
   for (const Motion& motion : c.motions) text += motion_line(motion) + "\n";
   text += fmt::format("\n{:<34} {:>12} {:>12} {:>10} {:>10} {:>12} {:>12} {:>9} {:>9} {:>15}\n", "pair (d50)",
-                      "pull-off", "pull-off", "Bond", "Bond", "sticking", "sticking", "overlap", "overlap", "restitution");
-  text += fmt::format("{:<34} {:>12} {:>12} {:>10} {:>10} {:>12} {:>12} {:>9} {:>9} {:>15}\n", "", "real grain",
-                      "simulated", "real", "simulated", "speed real", "simulated", "at rest", "impact", "asked / shown");
+                      "pull-off", "pull-off", "Bond", "Bond", "sticking", "sticking", "overlap", "overlap",
+                      "restitution");
+  text += fmt::format("{:<34} {:>12} {:>12} {:>10} {:>10} {:>12} {:>12} {:>9} {:>9} {:>15}\n", "",
+                      "real grain", "simulated", "real", "simulated", "speed real", "simulated", "at rest",
+                      "impact", "asked / shown");
   for (const PairForecast& p : f.pairs)
-    text += fmt::format("{:<34} {:>12} {:>12} {:>10} {:>10} {:>12} {:>12} {:>8.3f}% {:>8.2f}% {:>7.3g} / {:<5.3g}\n",
-                        p.first + " / " + p.second, force_text(p.pull_off_real), force_text(p.pull_off),
-                        number_text(p.bond_real), number_text(p.bond), speed_text(p.sticking_speed_real),
-                        speed_text(p.sticking_speed), 100 * p.resting_overlap, 100 * p.impact_overlap,
-                        p.restitution, p.restitution_shown);
+    text += fmt::format(
+        "{:<34} {:>12} {:>12} {:>10} {:>10} {:>12} {:>12} {:>8.3f}% {:>8.2f}% {:>7.3g} / {:<5.3g}\n",
+        p.first + " / " + p.second, force_text(p.pull_off_real), force_text(p.pull_off),
+        number_text(p.bond_real), number_text(p.bond), speed_text(p.sticking_speed_real),
+        speed_text(p.sticking_speed), 100 * p.resting_overlap, 100 * p.impact_overlap, p.restitution,
+        p.restitution_shown);
   text +=
-      "(Bond: pull-off force over the weight of the d50 sphere; sticking speed without damping; overlaps over the "
+      "(Bond: pull-off force over the weight of the d50 sphere; sticking speed without damping; overlaps "
+      "over the "
       "radius;\nrestitution of parcels at the characteristic speed. More of it: pulvis law)\n";
   return text;
 }

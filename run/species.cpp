@@ -30,7 +30,8 @@ struct LawNumber {
   double ContactChoice::*of_all;
   double laws::MaterialPair::*of_pair;
 };
-#define PULVIS_LAW_NUMBER(name) {#name, &ContactChoice::name, &laws::MaterialPair::name}
+#define PULVIS_LAW_NUMBER(name) \
+  { #name, &ContactChoice::name, &laws::MaterialPair::name }
 constexpr LawNumber law_numbers[] = {PULVIS_LAW_NUMBER(rolling_viscosity),
                                      PULVIS_LAW_NUMBER(twisting_friction),
                                      PULVIS_LAW_NUMBER(normal_stiffness),
@@ -56,7 +57,8 @@ void add_law_numbers(const ContactChoice& all, const PairOverride* own, laws::Ma
   for (const LawNumber& number : law_numbers) pair.*number.of_pair = all.*number.of_all;
   if (own != nullptr) {
     for (const auto& [name, value] : own->numbers)
-      if (name == "characteristic_speed") pair.normal_stiffness = 0.0;  // that of all pairs would go before it
+      if (name == "characteristic_speed")
+        pair.normal_stiffness = 0.0;  // that of all pairs would go before it
     for (const auto& [name, value] : own->numbers)
       for (const LawNumber& number : law_numbers)
         if (name == number.name) pair.*number.of_pair = value;

@@ -82,30 +82,33 @@ Collision collide(const Contact& contact, double speed) {
   return result;
 }
 
-double sticking_speed(const Contact& contact, double reference) {
+StickingSpeeds sticking_speeds(const Contact& contact, double reference) {
   constexpr int octaves = 12;
   if (!contact.is_damped() && !contact.remembers())
-    return std::sqrt(2.0 * adhesion(contact).lost_work / contact.mass());
-  if (!(reference > 0.0)) return 0.0;
-  const auto sticks = [&](double speed) { return collide(contact, speed).sticks; };
-  double above = std::numeric_limits<double>::infinity();
+    return {0.0, std::sqrt(2.0 * adhesion(contact).lost_work / contact.mass())};
+  if (!(reference > 0.0)) return {};
+  // Between a speed that sticks and one that does not.
+  const auto between = [&](double sticking, double other) {
+    while (std::abs(other - sticking) > 1e-4 * sticking) {
+      const double middle = 0.5 * (sticking + other);
+      (collide(contact, middle).sticks ? sticking : other) = middle;
+    }
+    return 0.5 * (sticking + other);
+  };
+  StickingSpeeds found;
+  double above = std::numeric_limits<double>::infinity();  // the last that did not stick, then that did
   for (int k = octaves; k >= -octaves; --k) {
     const double speed = std::ldexp(reference, k);
     const Collision c = collide(contact, speed);
     if (c.is_crushed) continue;
-    if (!c.sticks) {
-      above = speed;
-      continue;
+    if (found.highest == 0.0 && c.sticks) found.highest = std::isinf(above) ? above : between(speed, above);
+    if (found.highest > 0.0 && !c.sticks) {
+      found.lowest = between(above, speed);
+      break;
     }
-    if (std::isinf(above)) return above;
-    double below = speed;
-    while (above - below > 1e-4 * below) {
-      const double middle = 0.5 * (below + above);
-      (sticks(middle) ? below : above) = middle;
-    }
-    return 0.5 * (below + above);
+    above = speed;
   }
-  return 0.0;
+  return found;
 }
 
 }  // namespace pulvis::single_contact

@@ -19,11 +19,15 @@ struct Collision {
 /// energy by less than 1e-4 of it. The restitution of damped collisions is then exact to 0.5 %.
 Collision collide(const Contact& contact, double speed);
 
-/// Speed below which a collision sticks, m/s; 0 if none does, infinite if all do that do not crush the bodies.
-/// Where collisions stick only in a band of speeds (elasto-plastic laws), its upper end. Without damping and
-/// memory it follows from the work that a touch loses, m* v_s^2/2; else collisions are tried, from 4096 times
-/// `reference` (m/s; a speed that matters for the contact) down to as small a part of it, each half the one
-/// before, and the boundary is halved down to 1e-4.
-double sticking_speed(const Contact& contact, double reference);
+/// Speeds at which collisions stick, m/s: those between the two. Laws that yield may stick in a band only.
+struct StickingSpeeds {
+  double lowest = 0.0;   ///< 0 where the slowest collisions stick
+  double highest = 0.0;  ///< 0 if none sticks, infinite if all do that do not crush the bodies
+};
+
+/// Without damping and memory they follow from the work that a touch loses, m* v_s^2/2; else collisions are tried,
+/// from 4096 times `reference` (m/s; a speed that matters for the contact) down to as small a part of it, each half
+/// the one before, and the boundaries are halved down to 1e-4. Of several bands it is the fastest.
+StickingSpeeds sticking_speeds(const Contact& contact, double reference);
 
 }  // namespace pulvis::single_contact

@@ -78,7 +78,7 @@ TEST(Collision, UnderJkrAndSjkr2ShowsTheReferenceValues) {
 TEST(StickingSpeed, OfElasticJkrIsThatOfTheClosedForm) {
   const Contact contact = contact_of("jkr").undamped();
   const double expected = laws::jkr_sticking_speed(reduced_mass, reduced_radius, effective, work);
-  const double speed = sticking_speed(contact, 1.0);
+  const double speed = sticking_speeds(contact, 1.0).highest;
   EXPECT_NEAR(speed, expected, 1e-5 * expected);
   EXPECT_TRUE(collide(contact, 0.999 * speed).sticks) << "and collisions agree";
   EXPECT_FALSE(collide(contact, 1.001 * speed).sticks);
@@ -87,7 +87,7 @@ TEST(StickingSpeed, OfElasticJkrIsThatOfTheClosedForm) {
 TEST(StickingSpeed, SeparatesCollisionsThatStickFromThoseThatDoNotUnderEveryLaw) {
   for (const auto& [name, contact] : all_contacts()) {
     const double reference = std::sqrt(2.0 * adhesion(contact, 5e-9).separation_work / contact.mass());
-    const double speed = sticking_speed(contact, reference);
+    const auto [lowest, speed] = sticking_speeds(contact, reference);
     EXPECT_EQ(speed > 0.0, reference > 0.0) << name;
     if (speed == 0.0) continue;
     if (std::isinf(speed)) {  // of the laws that yield, which may stick at any speed
@@ -97,15 +97,28 @@ TEST(StickingSpeed, SeparatesCollisionsThatStickFromThoseThatDoNotUnderEveryLaw)
     }
     EXPECT_TRUE(collide(contact, 0.999 * speed).sticks) << name << " at " << speed;
     EXPECT_FALSE(collide(contact, 1.001 * speed).sticks) << name << " at " << speed;
+    EXPECT_TRUE(lowest == 0.0 || contact.remembers()) << name;
   }
+}
+
+TEST(StickingSpeed, OfLudingHasALowerEndSinceSoftTouchesHardlyYield) {
+  const Contact contact = contact_of("luding");
+  const auto [lowest, highest] = sticking_speeds(contact, 0.05);
+  ASSERT_GT(lowest, 0.0);
+  ASSERT_GT(highest, lowest);
+  EXPECT_FALSE(collide(contact, 0.999 * lowest).sticks);
+  EXPECT_TRUE(collide(contact, 1.001 * lowest).sticks);
+  EXPECT_TRUE(collide(contact, 0.999 * highest).sticks);
+  EXPECT_FALSE(collide(contact, 1.001 * highest).sticks);
 }
 
 TEST(StickingSpeed, IsHigherWithDampingAndNoneWithoutAttraction) {
   const Contact dmt = contact_of("hertz", "dmt");
-  EXPECT_EQ(sticking_speed(dmt.undamped(), 1.0), 0.0);
-  EXPECT_GT(sticking_speed(dmt, 0.01), 0.0);
-  EXPECT_GT(sticking_speed(contact_of("jkr"), 0.01), sticking_speed(contact_of("jkr").undamped(), 0.01));
-  EXPECT_EQ(sticking_speed(contact_of("hertz"), 0.01), 0.0);
+  const auto highest = [](const Contact& contact) { return sticking_speeds(contact, 0.01).highest; };
+  EXPECT_EQ(highest(dmt.undamped()), 0.0);
+  EXPECT_GT(highest(dmt), 0.0);
+  EXPECT_GT(highest(contact_of("jkr")), highest(contact_of("jkr").undamped()));
+  EXPECT_EQ(highest(contact_of("hertz")), 0.0);
 }
 
 TEST(Collision, ThatDrawsTheBodiesIntoEachOtherSaysSo) {
