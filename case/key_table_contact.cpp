@@ -293,7 +293,8 @@ void append_numbers_of_pairs(Keys& keys) {
     row.when_unset = "that of contact";
     row.only_when = {};
     if (leaf == "surface_tension" || leaf == "hamaker_constant") row.range = not_negative;
-    row.help += fmt::format(", between the two (where contact.{})", describe_condition(key.only_when));
+    row.help =
+        fmt::format("between the two: {} (where contact.{})", key.help, describe_condition(key.only_when));
     own.push_back(row);
   }
   append(keys, own);

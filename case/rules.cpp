@@ -156,6 +156,20 @@ void pairs_fit_the_law(const Section& root, ProblemList& problems) {
     }
 }
 
+// A range cannot say this; another number would be taken for the nearest law.
+void exponents_exist(const Section& contact, ProblemList& problems) {
+  const auto one_of = [&](const char* name, const std::vector<double>& values, const char* expected) {
+    const Setting* setting = contact.find(name);
+    if (setting == nullptr || std::find(values.begin(), values.end(), setting->numbers[0]) != values.end())
+      return;
+    problems.add(setting->place,
+                 fmt::format("{} = {:g} is no exponent of the law", setting->path, setting->numbers[0]),
+                 expected);
+  };
+  one_of("loading_exponent", {1.0, 1.5}, "expected 1 or 1.5");
+  one_of("adhesion_exponent", {1.0, 1.5, 2.0}, "expected 1, 1.5 or 2");
+}
+
 void not_below(const Section& section, const std::string& small, const std::string& large,
                ProblemList& problems) {
   const Setting *low = section.find(small), *high = section.find(large);
@@ -323,6 +337,7 @@ void check_rules(const Section& root, ProblemList& problems) {
   corners_in_order(root.table("domain"), problems);
   pairs_once(root, problems);
   pairs_fit_the_law(root, problems);
+  exponents_exist(root.table("contact"), problems);
   for (const Section& powder : root.group("powders")) sizes(powder, problems);
   for (const Section& wall : root.group("walls")) {
     corners_in_order(wall, problems);

@@ -47,11 +47,14 @@ void check_keep(const Case& c, const Assembly& a, Problems& problems) {
 /// What the law itself refuses, said once for each pair of species.
 void check_law(const Case& c, const std::vector<Species>& species, const std::vector<PairProperties>& pairs,
                Problems& problems) {
-  const laws::Law law = named_law(c.contact);
-  for (const PairProperties& p : pairs)
+  for (const PairProperties& p : pairs) {
+    laws::Law law = named_law(c.contact);
+    // A pair may have no bridges or no tail, which the law itself does not know as a value.
+    if (law.cohesion->reaches) law.cohesion = pair_law(c.contact, p.real).cohesion;
     for (const std::string& problem : law.problems(p.real, law_choices(c.contact)))
       problems.add("contact",
                    fmt::format("{} / {}: {}", species[p.first].name, species[p.second].name, problem));
+  }
 }
 
 ContactClasses contact_classes(const Case& c, const std::vector<Species>& species,

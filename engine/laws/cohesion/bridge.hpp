@@ -30,7 +30,7 @@ struct BridgePair {
 };
 
 inline constexpr std::array bridge_parameters{
-    Parameter{"surface_tension", &MaterialPair::surface_tension, 0.0, 10.0, "N/m"},
+    Parameter{"surface_tension", &MaterialPair::surface_tension, 1e-6, 10.0, "N/m"},
     Parameter{"contact_angle", &MaterialPair::contact_angle, 0.0, 0.8727, "rad"},
     Parameter{"liquid_content", &MaterialPair::liquid_content, 1e-7, 0.5, "-"},
     Parameter{"liquid_viscosity", &MaterialPair::liquid_viscosity, 0.0, 1e4, "Pa s"},

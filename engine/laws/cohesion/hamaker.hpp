@@ -31,7 +31,7 @@ struct Hamaker {
     double longest;   ///< h_max, m
   };
   static constexpr std::array parameters{
-      Parameter{"hamaker_constant", &MaterialPair::hamaker_constant, 0.0, 1e-15, "J"},
+      Parameter{"hamaker_constant", &MaterialPair::hamaker_constant, 1e-24, 1e-15, "J"},
       Parameter{"shortest_gap", &MaterialPair::shortest_gap, 1e-11, 1e-3, "m"},
       Parameter{"longest_gap", &MaterialPair::longest_gap, 1e-11, 1e-2, "m"}};
 
