@@ -138,6 +138,8 @@ void add_collisions(Table& table, const PairNumbers& grain, const PairNumbers& p
     const std::string at = format_quantity(speed, dimension::speed, 3);
     table.text += row(fmt::format("restitution at {} ({:.4g} asked)", at, parcel.restitution),
                       restitution_text(grain, g), restitution_text(parcel, p));
+    table.text += row("  at the time step of the case", "",
+                      restitution_text(parcel, single_contact::collide(parcel.contact, speed, step)));
     if (speed != speeds.back() || p.is_crushed || g.is_crushed) continue;
     table.text += row("  largest overlap over the radius, %",
                       fmt::format("{:.3g}", 100.0 * g.largest_overlap / grain.radius),

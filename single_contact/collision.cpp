@@ -38,48 +38,62 @@ struct Moment {
   laws::Past past;
 };
 
-}  // namespace
+/// Steps of velocity Verlet.
+struct Steps {
+  double longest;  ///< s
+  bool fixed;      ///< all of them so long; else shorter where needed, and longer across gaps
+};
 
-Collision collide(const Contact& contact, double speed) {
-  const double mass = contact.mass(), longest = estimated_duration(contact, speed) / steps_per_contact;
-  const double deepest = contact.largest_sphere(), least_energy = 1e-9 * 0.5 * mass * speed * speed;
+Collision integrate(const Contact& contact, double speed, Moment now, const Steps& steps) {
+  const double mass = contact.mass(), least_energy = 1e-9 * 0.5 * mass * speed * speed;
   Collision result;
-  Moment now{-contact.formation_gap() * (1.0 - 1e-12) + 1e-15 * contact.radius(), speed, 0.0, {}};
-  {
-    const laws::Response first = contact.in_motion(now.overlap, speed, true, {}, longest);
-    now.force = push(first), now.past = first.history;
-  }
-  double dt = longest;
+  double dt = steps.longest;
   bool rebounds = false;
   for (long step = 0; step < most_steps; ++step) {
     const double half = now.closing - 0.5 * dt * now.force / mass, overlap = now.overlap + dt * half;
     const laws::Response response = contact.in_motion(overlap, half, true, now.past, dt);
     const double force = push(response), energy = std::max(0.5 * mass * half * half, least_energy);
-    if (std::abs((force - now.force) * half * dt) > energy_share * energy && dt > 1e-9 * longest) {
+    const bool too_long = std::abs((force - now.force) * half * dt) > energy_share * energy;
+    if (!steps.fixed && too_long && dt > 1e-9 * steps.longest) {
       dt *= 0.5;
       continue;
     }
     result.duration += dt;
     if (response.touching == 0.0) {
-      // It broke when the gap was reached, in the middle of a step whose first half the old force has had.
+      // It broke when the gap was reached, in the middle of a step whose first half the old force has had. A run does
+      // not see that.
       const double share =
           std::clamp((-contact.separation_gap() - now.overlap) / (overlap - now.overlap), 0.0, 1.0);
-      const double left = half - (share - 0.5) * dt * now.force / mass;
+      const double left = half - (steps.fixed ? 0.0 : (share - 0.5) * dt * now.force / mass);
       result.restitution = std::max(-left / speed, 0.0);
       return result;
     }
     now = {overlap, half - 0.5 * dt * force / mass, force, response.history};
     result.largest_overlap = std::max(result.largest_overlap, overlap);
-    if (overlap > deepest) {
-      result.is_crushed = true;
-      return result;
-    }
+    result.is_crushed = overlap > contact.largest_sphere();
+    if (result.is_crushed) return result;
     if (half < 0.0) rebounds = true;
     if (rebounds && half > 0.0) break;
-    dt = std::min(2.0 * dt, overlap > 0.0 ? longest : in_gap * longest);
+    if (!steps.fixed) dt = std::min(2.0 * dt, overlap > 0.0 ? steps.longest : in_gap * steps.longest);
   }
   result.sticks = true;
   return result;
+}
+
+}  // namespace
+
+Collision collide(const Contact& contact, double speed) {
+  const double longest = estimated_duration(contact, speed) / steps_per_contact;
+  const double start = -contact.formation_gap() * (1.0 - 1e-12) + 1e-15 * contact.radius();
+  const laws::Response touch = contact.in_motion(start, speed, true, {}, longest);
+  return integrate(contact, speed, {start, speed, push(touch), touch.history}, {longest, false});
+}
+
+Collision collide(const Contact& contact, double speed, double step) {
+  const double start = 0.5 * speed * step - contact.formation_gap();
+  const laws::Response seen = contact.in_motion(start, speed, false, {}, step);
+  const double closing = speed - 0.5 * step * push(seen) / contact.mass();
+  return integrate(contact, speed, {start, closing, push(seen), seen.history}, {step, true});
 }
 
 StickingSpeeds sticking_speeds(const Contact& contact, double reference) {

@@ -5,6 +5,7 @@
 
 #include "single_contact/adhesion.hpp"
 #include "tests/single_contact/sample_contacts.hpp"
+#include "validation/collisions.hpp"
 
 using namespace pulvis;
 using namespace pulvis::testing;
@@ -73,6 +74,50 @@ TEST(Collision, UnderJkrAndSjkr2ShowsTheReferenceValues) {
     EXPECT_NEAR(collide(contact_of("hertz", "sjkr2_reduced_radius", m), 0.05).restitution, e, 0.0025 * e)
         << density;
   }
+}
+
+TEST(Collision, AtAFixedStepTendsToThatOfShortSteps) {
+  for (const char* normal : {"hertz", "jkr", "hooke", "luding"}) {
+    const Contact contact = contact_of(normal);
+    const Collision fine = collide(contact, 0.05);
+    const auto miss = [&](double steps) {
+      return std::abs(collide(contact, 0.05, fine.duration / steps).restitution - fine.restitution);
+    };
+    EXPECT_LT(miss(10000), 2e-3) << normal;
+    EXPECT_LT(miss(10000), 0.5 * miss(20)) << normal;
+  }
+}
+
+TEST(Collision, AtAFixedStepIsThatOfTheEngine) {
+  const double dt = 3e-8;
+  for (const char* normal : {"hertz", "jkr", "hooke", "luding", "edinburgh"})
+    for (const char* cohesion : {"none", "dmt", "sjkr", "capillary_willett"}) {
+      if (std::string(cohesion) != "none" && std::string(normal) != "hertz") continue;
+      for (const bool at_wall : {false, true}) {
+        scenes::LawParts parts;
+        parts.normal = normal, parts.cohesion = cohesion;
+        scenes::Collision scene{sample_material(), parts, radius, density, 0.06};
+        scene.at_wall = at_wall;
+        scene.dt = dt;
+        const scenes::Outcome engine = scenes::collide(scene, 2000);
+        const Collision alone = collide(
+            contact_of(normal, cohesion, sample_material(), {}, at_wall ? grain_at_wall : grains), 0.06, dt);
+        EXPECT_EQ(alone.sticks, !engine.separated) << normal << " " << cohesion << at_wall;
+        EXPECT_NEAR(alone.largest_overlap, engine.largest_overlap, 1e-8 * engine.largest_overlap)
+            << normal << " " << cohesion << at_wall;
+        if (engine.separated) {
+          EXPECT_NEAR(alone.restitution, engine.speed / 0.06, 1e-7) << normal << " " << cohesion << at_wall;
+        }
+      }
+    }
+}
+
+// Few steps cannot follow a well that is much narrower than the way of one: energy comes out of nothing, or goes.
+TEST(Collision, AtACoarseStepMissesAWellThatIsNarrow) {
+  const Contact contact = contact_of("hertz", "hamaker").undamped();
+  const Collision fine = collide(contact, 0.02), coarse = collide(contact, 0.02, fine.duration / 50);
+  EXPECT_NEAR(fine.restitution, 1.0, 2e-3);
+  EXPECT_GT(std::abs(coarse.restitution - 1.0), 0.01);
 }
 
 TEST(StickingSpeed, OfElasticJkrIsThatOfTheClosedForm) {
