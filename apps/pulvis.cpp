@@ -12,6 +12,7 @@
 #include "output/safe_file.hpp"
 #include "run/preflight.hpp"
 #include "run/run_case.hpp"
+#include "validation/validate.hpp"
 
 namespace {
 
@@ -117,6 +118,21 @@ int main(int argc, char** argv) {
       app.add_subcommand("explain", "explain a key of the case file, e.g. powders.coarse_graining");
   explain->add_option("KEY", key, "a key or a table")->required();
 
+  pulvis::validation::Request validation;
+  validation.out = "validation-results";
+  auto* validate = app.add_subcommand("validate", "compare the program with theory and published numbers");
+  validate->footer(
+      "Prints each quantity with its reference, deviation and limit, and leaves them with figures in\n"
+      "validation.html. Takes up to an hour, with --quick up to three minutes. Exit code 0 if every "
+      "comparison\n"
+      "keeps its limit, 8 if not.");
+  validate->add_flag("--quick", validation.quick, "fewer states, angles and speeds");
+  validate->add_option("--only", validation.only, "only this chapter (repeatable)")->allow_extra_args(false);
+  validate->add_option("--out", validation.out, "folder for the page and its figures")->capture_default_str();
+  validate->add_option("--json", validation.json, "also write the table to this file");
+  validate->add_option("--threads", validation.threads, "chapters side by side; default: all processors")
+      ->check(CLI::Range(1, 1024));
+
   app.add_subcommand("keys", "print the reference of all keys (Markdown)");
   app.add_subcommand("schema", "print a JSON Schema of the case file, for editors");
 
@@ -141,6 +157,9 @@ int main(int argc, char** argv) {
       result = check(file, settings);
     } else if (*new_command) {
       result = make_new(name, folder);
+    } else if (*validate) {
+      if (validation.threads == 0) validation.threads = pulvis::available_processors();
+      result = pulvis::validation::validate(validation);
     } else if (*explain) {
       fmt::print("{}", pulvis::explain(key));
     } else if (app.got_subcommand("keys")) {

@@ -4,12 +4,12 @@
 #include <string_view>
 
 #include "engine/laws/catalogue.hpp"
-#include "tests/support/quad.hpp"
+#include "validation/quad.hpp"
 
 // The normal laws a second time, in 113 bits, written from the original equations and sharing nothing with the
 // engine. Next to every result stands the sum of the magnitudes of the terms it is made of: cancellation
 // between terms is a property of the physics, so errors are measured against that sum.
-namespace pulvis::testing {
+namespace pulvis::validation {
 
 /// JKR's contact radius for an overlap: the larger root of  delta = a^2/R - sqrt(2 pi W a/E), by bisection
 /// (Johnson, Kendall, Roberts, Proc. R. Soc. A 324 (1971) 301; in this form from Johnson, Contact Mechanics
@@ -196,4 +196,4 @@ inline ReferenceNormal reference_normal(std::string_view law, const laws::Touch&
   return n;
 }
 
-}  // namespace pulvis::testing
+}  // namespace pulvis::validation
