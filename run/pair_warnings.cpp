@@ -42,7 +42,9 @@ void add_restitution_warning(double speed, const PairForecast& p, std::vector<st
   const std::string shown =
       fmt::format("{} / {}: restitution {:.3g} is asked for, and collisions at {:.3g} m/s show {:.3g}",
                   p.first, p.second, p.restitution, speed, p.restitution_shown);
-  if (p.undamped_restitution < p.restitution)
+  if (p.undamped_restitution == 0.0)
+    warnings.push_back(shown + ": even without damping they stick, and no rebound is reachable");
+  else if (p.undamped_restitution < p.restitution)
     warnings.push_back(shown + fmt::format("; cohesion or yielding makes more than {:.3g} unreachable",
                                            p.undamped_restitution));
   else

@@ -190,12 +190,11 @@ std::string check_report(const Case& c, const Assembly& a, const Forecast& f) {
                       "real grain", "simulated", "real", "simulated", "speed real", "simulated", "at rest",
                       "impact", "asked / shown");
   for (const PairForecast& p : f.pairs)
-    text += fmt::format(
-        "{:<34} {:>12} {:>12} {:>10} {:>10} {:>12} {:>12} {:>8.3f}% {:>8.2f}% {:>7.3g} / {:<5.3g}\n",
-        p.first + " / " + p.second, force_text(p.pull_off_real), force_text(p.pull_off),
-        number_text(p.bond_real), number_text(p.bond), speed_text(p.sticking_speed_real),
-        speed_text(p.sticking_speed), 100 * p.resting_overlap, 100 * p.impact_overlap, p.restitution,
-        p.restitution_shown);
+    text += fmt::format("{:<34} {:>12} {:>12} {:>10} {:>10} {:>12} {:>12} {:>8.3f}% {:>8.2f}% {:>15}\n",
+                        p.first + " / " + p.second, force_text(p.pull_off_real), force_text(p.pull_off),
+                        number_text(p.bond_real), number_text(p.bond), speed_text(p.sticking_speed_real),
+                        speed_text(p.sticking_speed), 100 * p.resting_overlap, 100 * p.impact_overlap,
+                        p.restitution, p.restitution_shown);
   text +=
       "(Bond: pull-off force over the weight of the d50 sphere; sticking speed without damping; overlaps "
       "over the "

@@ -358,6 +358,7 @@ TEST(Check, WarnsOfARestitutionThatCohesionTakesAway) {
   // The elastic JKR collision: e^2 = 1 - (v_s/v)^2.
   expect_close(p.undamped_restitution, std::sqrt(1.0 - std::pow(p.sticking_speed / 0.05, 2)), 1e-3,
                "elastic");
+  EXPECT_TRUE(warns(die("\"0.5 J/m^2\"", "0.99"), {"beads / beads: restitution", "show 0", "they stick"}));
   const Checked damped = die("\"5e-3 J/m^2\"", "0.3");
   EXPECT_TRUE(warns(damped, {"beads / beads: restitution 0.3 is asked for", "ask for more"}));
 }
