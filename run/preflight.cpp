@@ -194,7 +194,7 @@ std::string check_report(const Case& c, const Assembly& a, const Forecast& f) {
                         p.first + " / " + p.second, force_text(p.pull_off_real), force_text(p.pull_off),
                         number_text(p.bond_real), number_text(p.bond), speed_text(p.sticking_speed_real),
                         speed_text(p.sticking_speed), 100 * p.resting_overlap, 100 * p.impact_overlap,
-                        p.restitution, p.restitution_shown);
+                        fmt::format("{:.3g} / {:.3g}", p.restitution, p.restitution_shown));
   text +=
       "(Bond: pull-off force over the weight of the d50 sphere; sticking speed without damping; overlaps "
       "over the "

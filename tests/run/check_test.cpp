@@ -371,7 +371,8 @@ TEST(Check, ReportPrintsBothPowdersSideBySide) {
           fmt::format("{:.4g}", p.bond_real), fmt::format("{:.4g}", p.bond),
           format_quantity(p.sticking_speed_real, dimension::speed),
           format_quantity(p.sticking_speed, dimension::speed),
-          fmt::format("{:.3f}%", 100 * p.resting_overlap)})
+          fmt::format("{:.3f}%", 100 * p.resting_overlap),
+          fmt::format("{:.3g} / {:.3g}", p.restitution, p.restitution_shown)})
       EXPECT_TRUE(has(k.report, number)) << number << " is not in\n" << k.report;
   for (const char* part : {"beads / beads", "beads / wall of steel", "pull-off", "Bond", "parcels 145",
                            "memory", "70 GPa", "2 MPa", "keeping the pull-off force", "15 m/s^2"})
