@@ -109,8 +109,9 @@ void stage_wall(ContactBlock& b, std::uint32_t slot, const Parcel& p, const Wall
   const Vec3 normal = pose.now.turn(sight.offset / sight.distance);
   const WallSight half = look(walls, near, slot, 0.5 * (before_at + at));
   const Surface::Kind kind = walls.surfaces[near.surface[slot]].kind;
+  // In the middle of the step it may still have been on an edge, where the normal turns.
   const bool flat =
-      sight.nearest.in_face && !pose.turns &&
+      sight.nearest.in_face && half.nearest.in_face && !pose.turns &&
       (kind == Surface::Kind::plane || kind == Surface::Kind::rectangle || kind == Surface::Kind::disc);
   put(b.normal, k, normal);
   put(b.half_normal, k, flat || half.distance == 0.0 ? normal : half_normal(half, pose));
