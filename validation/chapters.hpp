@@ -19,6 +19,8 @@ struct Chapter {
 };
 const std::vector<Chapter>& chapters();
 
+void chung_ooi(Findings&, Effort);
 void jkr(Findings&, Effort);
+void restitution(Findings&, Effort);
 
 }  // namespace pulvis::validation

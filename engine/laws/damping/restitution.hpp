@@ -22,7 +22,7 @@ namespace pulvis::laws::damping {
 /// Valid      0 < e <= 1. With Hertz and with Hooke e is returned exactly if nothing clips the force; with adhesion the
 ///            collision loses more (see the law's energy).
 /// Energy     dissipative.
-/// Tests      tests/verification/impact_test.cpp.
+/// Tests      validation/restitution.cpp.
 struct Restitution {
   static constexpr const char* name = "restitution";
   struct Pair {
