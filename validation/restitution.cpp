@@ -24,12 +24,12 @@ constexpr double speeds[] = {0.01, 0.5, 5.0};
 enum class Law { hooke_of_speed, hooke_given, hertz };
 struct Kind {
   Law law;
-  const char* name;
+  const char *name, *label;
   double limit;
 };
-constexpr Kind kinds[] = {{Law::hooke_of_speed, "Hooke, stiffness from speed", 5e-3},
-                          {Law::hooke_given, "Hooke, stiffness given", 5e-3},
-                          {Law::hertz, "Hertz", 1e-2}};
+constexpr Kind kinds[] = {{Law::hooke_of_speed, "Hooke, stiffness from speed", "Hooke k(V)", 5e-3},
+                          {Law::hooke_given, "Hooke, stiffness given", "Hooke k", 5e-3},
+                          {Law::hertz, "Hertz", "Hertz", 1e-2}};
 
 const Ball grain{1e8, 0.3, 2500, 1e-3}, other_grain{2e9, 0.2, 7800, 2.5e-3};
 struct Bodies {
@@ -86,14 +86,14 @@ Worst worst_of(const Bodies& who, Law law, double e) {
 
 void asked_and_shown(Findings& f) {
   Figure figure{"restitution-error",
-                "Restitution shown against asked for, largest deviation",
+                "Restitution: largest deviation",
                 "restitution asked for",
                 "|shown / asked - 1|",
                 {}};
   figure.log_y = true;
   for (const Kind& kind : kinds) {
-    Curve fine{fmt::format("{}, t_c/1000", kind.name), {}, {}, true},
-        automatic{fmt::format("{}, automatic step", kind.name), {}, {}, false};
+    Curve fine{fmt::format("{}, t_c/1000", kind.label), {}, {}, true},
+        automatic{fmt::format("{}, automatic", kind.label), {}, {}, false};
     for (const double e : {0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 0.95}) {
       double off = 0.0, automatic_off = 0.0;
       for (const Bodies& who : bodies) {
