@@ -11,7 +11,7 @@ namespace {
 using scenes::Outcome;
 
 constexpr const char* johnson =
-    "Johnson (1985), doi:10.1017/CBO9781139171731, eq. 11.23, 11.24; test of Chung, Ooi (2011)";
+    "Johnson (1985), doi:10.1017/CBO9781139171731, section 11.4; test of Chung, Ooi (2011)";
 
 const Ball glass{4.8e10, 0.20, 2800, 0.01}, limestone{2.0e10, 0.25, 2500, 0.01};
 const Ball aluminium_alloy{7.0e10, 0.30, 2699, 0.1}, magnesium_alloy{4.0e10, 0.35, 1800, 0.1};

@@ -15,7 +15,7 @@ namespace {
 constexpr const char* antypov = "Antypov, Elliott (2011), doi:10.1209/0295-5075/94/50004";
 constexpr const char* oscillator =
     "half a period of the damped linear oscillator, Tsuji et al. (1992), doi:10.1016/0032-5910(92)88030-L";
-constexpr const char* johnson = "Johnson (1985), doi:10.1017/CBO9781139171731, eq. 11.23, 11.24";
+constexpr const char* johnson = "Johnson (1985), doi:10.1017/CBO9781139171731, section 11.4";
 
 constexpr double characteristic_speed = 1.0;  // m/s
 constexpr double given_stiffness = 5e4;       // N/m

@@ -35,7 +35,7 @@ struct Meeting {
   /// Slip where they touch first, m/s.
   double slip() const { return tangential_speed - first.radius * spin; }
 
-  // Elastic impact: K. L. Johnson, Contact Mechanics (1985), doi:10.1017/CBO9781139171731, eq. 11.23, 11.24.
+  // Elastic impact: K. L. Johnson, Contact Mechanics (1985), doi:10.1017/CBO9781139171731, section 11.4.
   double largest_overlap() const {
     return std::pow(15.0 * reduced_mass() * normal_speed * normal_speed /
                         (16.0 * modulus() * std::sqrt(reduced_radius())),
