@@ -35,6 +35,18 @@ const std::vector<Chapter>& chapters() {
        "for "
        "every law of the list. Both sides take the same steps, so that whatever differs is the mesh.",
        triangulated_walls},
+      {"restitution", "Restitution asked for and shown",
+       "Head-on impacts of like and unlike spheres and at a wall, at 0.01, 0.5 and 5 m/s, touching at eleven "
+       "instants of a step; each row has the outcome furthest from what was asked for. Peaks without "
+       "damping.",
+       restitution},
+      {"chung_ooi", "Single impacts after Chung and Ooi",
+       "The eight tests of C.-Y. Chung, J. Y. Ooi, Granul. Matter 13 (2011) 643-656: in gross sliding "
+       "against closed "
+       "forms, in stick and micro-slip against the law integrated apart, and against digitised curves. Each "
+       "row has "
+       "the outcome furthest from the reference of eleven instants of first touch.",
+       chung_ooi},
   };
   return all;
 }
