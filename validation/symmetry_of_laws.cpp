@@ -164,7 +164,7 @@ Count kernel_of(const laws::Law& law, kernels::InstructionSet set, bool wall) {
   Count count;
   const auto kernel = kernels::contact_kernel(law, set);
   for_each_zero([&](const laws::MaterialPair& m, double overlap, double was, double speed) {
-    auto block = std::make_unique<kernels::ContactBlock>();
+    auto block = std::make_unique<kernels::SeparateBlock>();
     for (int k = 0; k < 9; ++k) stage(*block, overlap, was, speed);  // vectors of each width and a rest
     const auto constants = law.mix(m, {});
     if (wall)
@@ -172,10 +172,11 @@ Count kernel_of(const laws::Law& law, kernels::InstructionSet set, bool wall) {
     else
       kernel.parcels(*block, constants.data(), 1e-6);
     for (int k = 0; k < block->count; ++k) {
-      for (const auto* lanes :
-           {&block->force, &block->torque_first, &block->torque_second, &block->slide, &block->roll})
+      for (const auto* lanes : {&block->force, &block->torque_first, &block->torque_second,
+                                &block->springs->slide, &block->springs->roll})
         count.add(get(*lanes, k));
-      count.add(block->plastic[k]), count.add(block->adhesion[k]), count.add(block->grip[k]);
+      count.add(block->memory->plastic[k]), count.add(block->memory->adhesion[k]),
+          count.add(block->memory->grip[k]);
     }
   });
   return count;

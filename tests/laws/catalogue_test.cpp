@@ -45,9 +45,9 @@ TEST(Catalogue, HasEveryPartOnceAndFindsItByItsName) {
   EXPECT_ANY_THROW(laws::find_law("hooke's", "none", "none", "none"));
 }
 
-using kernels::ContactBlock;
 using kernels::InstructionSet;
 using kernels::Lanes3;
+using kernels::SeparateBlock;
 
 std::vector<InstructionSet> sets_of_this_processor() {
   std::vector<InstructionSet> sets{InstructionSet::baseline};
@@ -74,9 +74,9 @@ bool same_torque(const Vec3& torque, double arm, const Vec3& normal, const laws:
 }
 
 /// Fills a block with random contacts of one material; every fifth does not touch.
-std::unique_ptr<ContactBlock> random_block(const laws::Law& law, std::uint64_t number, int count,
-                                           laws::MaterialPair& material, double& dt) {
-  auto block = std::make_unique<ContactBlock>();
+std::unique_ptr<SeparateBlock> random_block(const laws::Law& law, std::uint64_t number, int count,
+                                            laws::MaterialPair& material, double& dt) {
+  auto block = std::make_unique<SeparateBlock>();
   block->count = count;
   const RandomState base = random_state(law, number);
   material = base.material;
@@ -98,11 +98,11 @@ std::unique_ptr<ContactBlock> random_block(const laws::Law& law, std::uint64_t n
     block->mass_first[k] = base.touch.mass * draw.between(0.5, 2.0);
     block->mass_second[k] = base.touch.mass * draw.between(0.5, 2.0);
     block->touching[k] = draw.chance(0.7) ? 1.0 : 0.0;
-    put(block->slide, k, draw.vector(norm(base.history.slide)));
-    put(block->roll, k, draw.vector(norm(base.history.roll)));
-    block->plastic[k] = base.history.plastic * draw.between(0.0, 2.0);
-    block->adhesion[k] = base.history.adhesion * draw.between(0.0, 2.0);
-    block->grip[k] = base.history.grip * draw.between(0.0, 2.0);
+    put(block->springs->slide, k, draw.vector(norm(base.history.slide)));
+    put(block->springs->roll, k, draw.vector(norm(base.history.roll)));
+    block->memory->plastic[k] = base.history.plastic * draw.between(0.0, 2.0);
+    block->memory->adhesion[k] = base.history.adhesion * draw.between(0.0, 2.0);
+    block->memory->grip[k] = base.history.grip * draw.between(0.0, 2.0);
     // For the walls' entry point; the parcels' one derives these itself.
     Vec3 half = n + draw.vector(0.01);
     put(block->normal, k, n);
@@ -128,7 +128,7 @@ void expect_kernel_equals_scalar_law(bool walls) {
       const auto input = random_block(law, number, count, material, dt);
       const auto constants = law.mix(material, choices_to_test[number % 4]);
       for (const InstructionSet set : sets_of_this_processor()) {
-        auto block = std::make_unique<ContactBlock>(*input);
+        auto block = std::make_unique<SeparateBlock>(*input);
         const auto kernel = kernels::contact_kernel(law, set);
         if (walls)
           kernel.walls(*block, constants.data(), dt);
@@ -156,17 +156,18 @@ void expect_kernel_equals_scalar_law(bool walls) {
                                   walls ? 0.0 : input->radius_second[k],
                                   walls ? input->mass[k] : input->mass_first[k],
                                   walls ? 0.0 : input->mass_second[k]};
-          const auto r = law.evaluate(touch,
-                                      {get(input->slide, k), get(input->roll, k), input->plastic[k],
-                                       input->adhesion[k], input->grip[k]},
-                                      constants);
+          const auto r =
+              law.evaluate(touch,
+                           {get(input->springs->slide, k), get(input->springs->roll, k),
+                            input->memory->plastic[k], input->memory->adhesion[k], input->memory->grip[k]},
+                           constants);
           ASSERT_EQ(block->touching[k], r.touching) << where;
           ASSERT_TRUE(same_bits(get(block->force, k), r.force)) << where;
-          ASSERT_TRUE(same_bits(get(block->slide, k), r.history.slide)) << where;
-          ASSERT_TRUE(same_bits(get(block->roll, k), r.history.roll)) << where;
-          ASSERT_EQ(block->plastic[k], r.history.plastic) << where;
-          ASSERT_EQ(block->adhesion[k], r.history.adhesion) << where;
-          ASSERT_EQ(block->grip[k], r.history.grip) << where;
+          ASSERT_TRUE(same_bits(get(block->springs->slide, k), r.history.slide)) << where;
+          ASSERT_TRUE(same_bits(get(block->springs->roll, k), r.history.roll)) << where;
+          ASSERT_EQ(block->memory->plastic[k], r.history.plastic) << where;
+          ASSERT_EQ(block->memory->adhesion[k], r.history.adhesion) << where;
+          ASSERT_EQ(block->memory->grip[k], r.history.grip) << where;
           ASSERT_TRUE(
               same_torque(get(block->torque_first, k), arm_first, normal, r, 1.0, law.cohesion->is_viscous))
               << where;
@@ -208,12 +209,12 @@ TEST(EveryKernel, LeavesLanesBeyondTheCountAlone) {
     const auto input = random_block(law, 5, kernels::block_size, material, dt);
     const auto constants = law.mix(material, {});
     for (const InstructionSet set : sets_of_this_processor()) {
-      auto block = std::make_unique<ContactBlock>(*input);
+      auto block = std::make_unique<SeparateBlock>(*input);
       block->count = 13;
       kernels::contact_kernel(law, set).parcels(*block, constants.data(), dt);
       for (int k = 13; k < kernels::block_size; ++k) {
         ASSERT_EQ(block->touching[k], input->touching[k]);
-        ASSERT_TRUE(same_bits(get(block->slide, k), get(input->slide, k)));
+        ASSERT_TRUE(same_bits(get(block->springs->slide, k), get(input->springs->slide, k)));
         ASSERT_TRUE(same_bits(get(block->force, k), get(input->force, k)));
       }
     }
