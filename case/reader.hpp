@@ -25,6 +25,7 @@ std::string place_of(const Case& c, std::string key);
 struct ResolvedKey {
   std::string key;     ///< "materials.steel.density"
   std::string value;   ///< as written in TOML
+  std::string meaning;  ///< the same however it was written: numbers in SI units, all their digits
   std::string origin;  ///< "die.toml:14", "default" or "--set materials.steel.density"
 };
 
