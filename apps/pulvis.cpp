@@ -74,7 +74,8 @@ int main(int argc, char** argv) {
   app.footer(
       "Exit codes: 0 completed, 2 usage or results folder in use, 3 invalid case, 4 unreadable input, 5 "
       "physics\n"
-      "(not a number, lost parcel), 6 results cannot be written, 7 internal check, 75 stopped with a checkpoint\n"
+      "(not a number, lost parcel), 6 results cannot be written, 7 internal check, 75 stopped with a "
+      "checkpoint\n"
       "by SIGTERM, SIGUSR1 or --max-wall, 130 Ctrl-C");
   app.set_version_flag("--version", PULVIS_VERSION);
   app.require_subcommand(1);
@@ -95,11 +96,14 @@ int main(int argc, char** argv) {
       "'output.interval=1 ms'\n"
       "Leaves result.json, log.csv, picture.png and series for ParaView (parcels.pvd, walls.pvd, "
       "porosity.pvd) in\n"
-      "the folder. Ctrl-C ends the run after the current step with valid results; SIGTERM and SIGUSR1 stop it "
+      "the folder. Ctrl-C ends the run after the current step with valid results; SIGTERM and SIGUSR1 stop "
+      "it "
       "there.\n"
       "Either way, or after a crash, the same command with --resume goes on to the same results.");
-  auto* force = run->add_flag("--force", request.force, "replace the results of an earlier run in that folder");
-  run->add_flag("--resume", request.resume, "go on from the newest checkpoint in that folder")->excludes(force);
+  auto* force =
+      run->add_flag("--force", request.force, "replace the results of an earlier run in that folder");
+  run->add_flag("--resume", request.resume, "go on from the newest checkpoint in that folder")
+      ->excludes(force);
   run->add_option("--max-wall", request.max_wall,
                   "stop with a checkpoint (exit 75) after this time on the clock, e.g. \"12 h\"");
 

@@ -109,8 +109,8 @@ std::vector<ResolvedKey> resolved(const std::string& text, const std::string& na
   list_settings(root, settings);
   std::vector<ResolvedKey> result;
   for (const Setting* setting : settings)
-    result.push_back(
-        {setting->path, setting->written, meaning_of(*setting), setting->given ? problems.describe(setting->place) : "default"});
+    result.push_back({setting->path, setting->written, meaning_of(*setting),
+                      setting->given ? problems.describe(setting->place) : "default"});
   return result;
 }
 

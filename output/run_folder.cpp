@@ -97,9 +97,10 @@ RunFolder::RunFolder(std::string path, UsedFolder used, std::span<const std::str
   if (used != UsedFolder::resume) {
     create_folder(path_);
   } else if (!fs::is_directory(path_)) {
-    throw Failure(Exit::usage, fmt::format("there is no results folder {} to go on with; start the run without "
-                                           "--resume",
-                                           path_));
+    throw Failure(Exit::usage,
+                  fmt::format("there is no results folder {} to go on with; start the run without "
+                              "--resume",
+                              path_));
   }
   lock();
   try {

@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "output/chunk_file.hpp"
+#include "output/safe_file.hpp"
 #include "run/checkpoint_fields.hpp"
 
 namespace pulvis {
@@ -73,6 +74,7 @@ void Checkpoints::remove(std::uint64_t number) const {
 
 void Checkpoints::write(const Checkpoint& c) {
   folder_.folder("checkpoints");
+  sync_folder(folder_.path());  // and with it the names of all that it knows of
   const std::vector<Chunk> chunks = {{"case", packed(c.program, c.time_step, c.keys)},
                                      {"state", save_state(c.state)},
                                      {"run", packed(c.loads, c.summary, c.results)}};
@@ -85,9 +87,10 @@ void Checkpoints::write(const Checkpoint& c) {
 Checkpoint Checkpoints::newest() {
   auto list = numbers();
   if (list.empty())
-    throw Failure(Exit::usage, fmt::format("there is no checkpoint in {} to go on from; start the run without "
-                                           "--resume (with --force if there are results)",
-                                           folder_.path()));
+    throw Failure(Exit::usage,
+                  fmt::format("there is no checkpoint in {} to go on from; start the run without "
+                              "--resume (with --force if there are results)",
+                              folder_.path()));
   for (; !list.empty(); list.pop_back()) {
     try {
       Checkpoint checkpoint = read_checkpoint(file(list.back()));

@@ -50,7 +50,8 @@ void fields(Archive& archive, VtkSeries::Frame& f) {
 }
 template <class Archive>
 void fields(Archive& archive, WrittenResults& r) {
-  archive(r.log, r.wall_log, r.parcels, r.walls, r.porosity, r.files, r.frames, r.last_frame, r.largest_overlap);
+  archive(r.log, r.wall_log, r.parcels, r.walls, r.porosity, r.files, r.frames, r.last_frame,
+          r.largest_overlap);
 }
 
 }  // namespace pulvis

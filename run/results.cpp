@@ -66,11 +66,18 @@ const std::string& free_of_inputs(const Case& c, const std::string& folder) {
   return folder;
 }
 
-const std::vector<std::string> log_columns{
-    "step",          "time_s",           "phase",
-    "parcels",       "pair_contacts",    "wall_contacts",
-    "kinetic_energy_J", "largest_speed_m_s", "largest_overlap_over_radius",
-    "highest_point_m", "inserted_mass_kg", "escaped"};
+const std::vector<std::string> log_columns{"step",
+                                           "time_s",
+                                           "phase",
+                                           "parcels",
+                                           "pair_contacts",
+                                           "wall_contacts",
+                                           "kinetic_energy_J",
+                                           "largest_speed_m_s",
+                                           "largest_overlap_over_radius",
+                                           "highest_point_m",
+                                           "inserted_mass_kg",
+                                           "escaped"};
 
 /// The files that belong to what is written.
 std::set<std::string> names_of(const WrittenResults& written) {
@@ -213,7 +220,6 @@ WrittenResults Results::written() {
   written_.parcels = parcels_.frames();
   written_.walls = walls_.frames();
   written_.porosity = porosity_.frames();
-  sync_folder(folder_.path());
   return written_;
 }
 
@@ -247,11 +253,11 @@ void Results::log(const Simulation& simulation, const std::string& phase) {
   const double overlap = std::max(pair_overlap_ratio(simulation), wall_overlap_ratio(simulation));
   written_.largest_overlap = std::max(written_.largest_overlap, overlap);
   log_.add({static_cast<std::int64_t>(state.step), simulation.time(), std::string_view(phase),
-             static_cast<std::int64_t>(state.parcels.size()),
-             static_cast<std::int64_t>(count_of(simulation.pairs().touching)),
-             static_cast<std::int64_t>(count_of(simulation.walls().touching)),
-             measures::energies(sight.bodies, simulation.field().gravity).kinetic(), fastest, overlap,
-             highest, state.ledger.inserted_mass, static_cast<std::int64_t>(state.ledger.escaped)});
+            static_cast<std::int64_t>(state.parcels.size()),
+            static_cast<std::int64_t>(count_of(simulation.pairs().touching)),
+            static_cast<std::int64_t>(count_of(simulation.walls().touching)),
+            measures::energies(sight.bodies, simulation.field().gravity).kinetic(), fastest, overlap, highest,
+            state.ledger.inserted_mass, static_cast<std::int64_t>(state.ledger.escaped)});
 }
 
 void Results::frame(const Simulation& simulation, const WallLoads& loads,

@@ -43,9 +43,10 @@ void refuse_if_changed(const Checkpoint& then, const std::vector<CaseKey>& keys,
   std::string list;
   for (const std::string& line : differences(then.keys, keys)) list += "\n  " + line;
   if (!list.empty())
-    throw Failure(Exit::usage, "the case has changed since this run began; go on with what it was, or start "
-                               "anew with --force:" +
-                                   list);
+    throw Failure(Exit::usage,
+                  "the case has changed since this run began; go on with what it was, or start "
+                  "anew with --force:" +
+                      list);
   if (then.time_step != time_step)
     throw Failure(Exit::usage,
                   fmt::format("the run began with a time step of {} s, and this program (pulvis {}, then {}) "

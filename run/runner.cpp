@@ -120,7 +120,7 @@ void Runner::close_phase(const std::string& ended_by, bool run_ends) {
   Measurement m = measure(case_, simulation_);
   for (Measure& of_walls : wall_measures(case_, loads_, simulation_)) m.list.push_back(std::move(of_walls));
   summary().phases.push_back({phase.name, procedure_.phase_start(), simulation_.time(), ended_by, m.list,
-                            wall_forces(loads_, simulation_)});
+                              wall_forces(loads_, simulation_)});
   results_.frame(simulation_, loads_, m.porosity);
   results_.write_pressures(loads_, simulation_, phase.name);
   for (const std::size_t s : phase.sources) {
@@ -194,8 +194,9 @@ bool Runner::stops(double latest) {
   }
   const char* why = signal == SIGTERM ? "SIGTERM" : signal == SIGUSR1 ? "SIGUSR1" : "--max-wall";
   summary().exit = Exit::interrupted;
-  summary().reason = fmt::format("stopped by {} at {} of simulated time; the same command with --resume goes on from {}",
-                                 why, format_quantity(simulation_.time(), dimension::time), checkpoints_.file());
+  summary().reason =
+      fmt::format("stopped by {} at {} of simulated time; the same command with --resume goes on from {}",
+                  why, format_quantity(simulation_.time(), dimension::time), checkpoints_.file());
   return true;
 }
 

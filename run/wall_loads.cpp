@@ -76,7 +76,8 @@ void WallLoads::clear(const Simulation& simulation) {
   now_.current.walls.resize(walls_.names.size());
   now_.current.bodies.resize(walls_.bodies.size());
   now_.current.tiles.resize(tiling_.tiles().size());
-  for (const FacetedWall& mesh : walls_.meshes) now_.current.facets.emplace_back(mesh.mesh().triangles.size());
+  for (const FacetedWall& mesh : walls_.meshes)
+    now_.current.facets.emplace_back(mesh.mesh().triangles.size());
   now_.steps_in_window = 0;
 }
 

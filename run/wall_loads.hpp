@@ -34,7 +34,7 @@ struct WallWindow {
 /// What has been gathered so far, which a checkpoint holds.
 struct WallRecord {
   std::uint64_t steps_per_window = 1, steps_in_window = 0;
-  bool cycles = false;        ///< windows are whole cycles
+  bool cycles = false;       ///< windows are whole cycles
   WallWindow current, last;  ///< sums; means
 };
 

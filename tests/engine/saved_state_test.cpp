@@ -147,8 +147,10 @@ TEST(SavedState, TamperedWithIsRefusedOrGoesOnButNeverCrashes) {
     const auto at = static_cast<std::size_t>(draw.between(0.0, static_cast<double>(bytes.size() - 8)));
     // A flipped bit, a byte of ones, or a whole number that is far too large.
     const double kind = draw.between(0.0, 3.0);
-    if (kind < 1.0) changed[at] ^= std::byte{1} << static_cast<int>(draw.between(0.0, 8.0));
-    else std::memset(&changed[at], 0xff, kind < 2.0 ? 1 : 8);
+    if (kind < 1.0)
+      changed[at] ^= std::byte{1} << static_cast<int>(draw.between(0.0, 8.0));
+    else
+      std::memset(&changed[at], 0xff, kind < 2.0 ? 1 : 8);
     expect_harmless(changed, model, refused);
   }
   EXPECT_GT(refused, rounds / 10);

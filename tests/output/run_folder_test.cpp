@@ -117,7 +117,8 @@ TEST(RunFolder, FailsWhereNothingMayBeWritten) {
 
 TEST(RunFolder, IsResumedWithAllThatIsInIt) {
   ScratchFolder folder;
-  for (const char* name : {"log.csv", "a.pvd", "frames/p_1.vtp", "notes.txt"}) put(folder.file(name), "there");
+  for (const char* name : {"log.csv", "a.pvd", "frames/p_1.vtp", "notes.txt"})
+    put(folder.file(name), "there");
   RunFolder run(folder.path(), UsedFolder::resume, results);
   for (const char* name : {"log.csv", "a.pvd", "frames/p_1.vtp", "notes.txt"}) EXPECT_TRUE(folder.has(name));
 }
