@@ -13,6 +13,7 @@
 #include "run/preflight.hpp"
 #include "run/run_case.hpp"
 #include "run/stop_request.hpp"
+#include "validation/validate.hpp"
 
 namespace {
 
@@ -74,9 +75,8 @@ int main(int argc, char** argv) {
   app.footer(
       "Exit codes: 0 completed, 2 usage or results folder in use, 3 invalid case, 4 unreadable input, 5 "
       "physics\n"
-      "(not a number, lost parcel), 6 results cannot be written, 7 internal check, 75 stopped with a "
-      "checkpoint\n"
-      "by SIGTERM, SIGUSR1 or --max-wall, 130 Ctrl-C");
+      "(not a number, lost parcel), 6 results cannot be written, 7 internal check, 8 a target was missed,\n"
+      "75 stopped with a checkpoint by SIGTERM, SIGUSR1 or --max-wall, 130 Ctrl-C");
   app.set_version_flag("--version", PULVIS_VERSION);
   app.require_subcommand(1);
 
@@ -97,9 +97,9 @@ int main(int argc, char** argv) {
       "Leaves result.json, log.csv, picture.png and series for ParaView (parcels.pvd, walls.pvd, "
       "porosity.pvd) in\n"
       "the folder. Ctrl-C ends the run after the current step with valid results; SIGTERM and SIGUSR1 stop "
-      "it "
-      "there.\n"
-      "Either way, or after a crash, the same command with --resume goes on to the same results.");
+      "it\n"
+      "there with a checkpoint. Either way, or after a crash, the same command with --resume goes on to the\n"
+      "same results.");
   auto* force =
       run->add_flag("--force", request.force, "replace the results of an earlier run in that folder");
   run->add_flag("--resume", request.resume, "go on from the newest checkpoint in that folder")
@@ -130,6 +130,21 @@ int main(int argc, char** argv) {
       app.add_subcommand("explain", "explain a key of the case file, e.g. powders.coarse_graining");
   explain->add_option("KEY", key, "a key or a table")->required();
 
+  pulvis::validation::Request validation;
+  validation.out = "validation-results";
+  auto* validate = app.add_subcommand("validate", "compare the program with theory and published numbers");
+  validate->footer(
+      "Prints each quantity with its reference, deviation and limit, and leaves them with figures in\n"
+      "validation.html. Takes up to an hour, with --quick up to three minutes. Exit code 0 if every "
+      "comparison\n"
+      "keeps its limit, 8 if not.");
+  validate->add_flag("--quick", validation.quick, "fewer states, angles and speeds");
+  validate->add_option("--only", validation.only, "only this chapter (repeatable)")->allow_extra_args(false);
+  validate->add_option("--out", validation.out, "folder for the page and its figures")->capture_default_str();
+  validate->add_option("--json", validation.json, "also write the table to this file");
+  validate->add_option("--threads", validation.threads, "chapters side by side; default: all processors")
+      ->check(CLI::Range(1, 1024));
+
   app.add_subcommand("keys", "print the reference of all keys (Markdown)");
   app.add_subcommand("schema", "print a JSON Schema of the case file, for editors");
 
@@ -156,6 +171,9 @@ int main(int argc, char** argv) {
       result = check(file, settings);
     } else if (*new_command) {
       result = make_new(name, folder);
+    } else if (*validate) {
+      if (validation.threads == 0) validation.threads = pulvis::available_processors();
+      result = pulvis::validation::validate(validation);
     } else if (*explain) {
       fmt::print("{}", pulvis::explain(key));
     } else if (app.got_subcommand("keys")) {

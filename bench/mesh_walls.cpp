@@ -7,7 +7,7 @@
 #include <chrono>
 #include <cstdlib>
 
-#include "tests/support/meshes.hpp"
+#include "validation/meshes.hpp"
 
 using namespace pulvis;
 using namespace pulvis::scenes;
@@ -24,7 +24,7 @@ Simulation prepare(bool triangles, bool moves) {
   Region box;
   box.min = {-half, -half, -half};
   box.max = {half, half, half};
-  pulvis::testing::Draw draw(1, 99);
+  pulvis::validation::Draw draw(1, 99);
   if (triangles)
     add_mesh(m, random_box(box.min, box.max, 29, 0.24, draw));
   else

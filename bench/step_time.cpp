@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/support/scene.hpp"
+#include "validation/scene.hpp"
 
 namespace {
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "engine/base/failure.hpp"
-#include "engine/laws/estimates.hpp"
+#include "engine/laws/time_limits.hpp"
 #include "engine/parcels/parcels.hpp"
 #include "run/body_pull.hpp"
 #include "run/build_walls.hpp"
@@ -65,29 +65,6 @@ std::string pair_name(const std::vector<Species>& species, const PairProperties&
   return species[p.first].name + " / " + species[p.second].name;
 }
 
-/// Limits of the laws that are neither Hertz nor JKR, for one pair with reduced mass `m` and radius `r`.
-std::vector<StepLimit> limits_of_law(const ContactChoice& c, const laws::MaterialPair& pair,
-                                     const std::string& name, double m, double r, double speed) {
-  std::vector<StepLimit> limits;
-  if (c.normal == "hooke" || c.normal == "luding") {
-    const double k = pair.normal_stiffness > 0.0
-                         ? pair.normal_stiffness
-                         : laws::linear_stiffness(m, r, pair.effective_modulus, pair.characteristic_speed);
-    limits.push_back({"linear spring", name, pi * root(m / (k * greatest(pair.plastic_ratio, 1.0)))});
-  }
-  if (c.normal == "edinburgh")
-    limits.push_back(
-        {"unloading", name,
-         laws::hertz_contact_time(m, r, pair.effective_modulus, speed) / root(pair.unloading_ratio)});
-  if (pair.liquid_viscosity > 0.0)
-    limits.push_back({"liquid", name, m * pair.shortest_bridge_gap / (6.0 * pi * pair.liquid_viscosity * r)});
-  if (c.cohesion == "hamaker")
-    limits.push_back(
-        {"van der Waals", name,
-         root(3.0 * m * pair.shortest_gap * square(pair.shortest_gap) / (pair.hamaker_constant * r))});
-  return limits;
-}
-
 }  // namespace
 
 double characteristic_speed(const Case& c, const Walls& walls) {
@@ -123,16 +100,9 @@ TimeStep choose_time_step(const Case& c, const std::vector<Species>& species,
     const bool wall = !species[p.second].is_powder;
     const double r1 = radius[p.first], m1 = mass[p.first], r2 = radius[p.second], m2 = mass[p.second];
     const double r = wall ? r1 : r1 * r2 / (r1 + r2), m = wall ? m1 : m1 * m2 / (m1 + m2);
-    const double e = p.simulated.effective_modulus, w = p.simulated.work_of_adhesion;
-    const std::string name = pair_name(species, p);
-    result.limits.push_back({"hertz", name, laws::hertz_contact_time(m, r, e, result.characteristic_speed)});
-    for (const StepLimit& limit :
-         limits_of_law(c.contact, p.simulated, name, m, r, result.characteristic_speed))
-      result.limits.push_back(limit);
-    if (c.contact.normal != "jkr" || w == 0.0) continue;
-    result.limits.push_back({"cohesive stiffness", name, root(m / laws::jkr_stiffness_at_touch(r, e, w))});
-    result.limits.push_back(
-        {"cohesive speed", name, laws::jkr_stretch(r, e, w) / (10.0 * laws::jkr_sticking_speed(m, r, e, w))});
+    for (const laws::TimeLimit& limit : laws::time_limits(c.contact.normal, c.contact.cohesion, p.simulated,
+                                                          m, r, result.characteristic_speed))
+      result.limits.push_back({limit.kind, pair_name(species, p), limit.time});
   }
   std::sort(result.limits.begin(), result.limits.end(),
             [](const StepLimit& a, const StepLimit& b) { return a.time < b.time; });

@@ -11,7 +11,7 @@ namespace pulvis {
 
 /// One limit on the time step.
 struct StepLimit {
-  std::string kind;   ///< rayleigh | hertz | cohesive stiffness | cohesive speed
+  std::string kind;   ///< rayleigh, or of laws::TimeLimit
   std::string of;     ///< the powder or the pair it comes from
   double time = 0.0;  ///< s
 };
@@ -30,14 +30,7 @@ double characteristic_speed(const Case& c, const Walls& walls);
 
 /// The time step: the case's own, or its fraction of the smallest limit. For the smallest parcels, whose
 /// radius (m) is given for each species that is a powder:
-///   rayleigh             laws::rayleigh_time                                per powder
-///   hertz                laws::hertz_contact_time at the characteristic speed   per pair
-///   cohesive stiffness   sqrt(m*/k), k the JKR stiffness at zero overlap        per adhesive pair
-///   cohesive speed       delta_c/(10 v_s), v_s the sticking speed               per adhesive pair
-///   linear spring        pi sqrt(m*/k), k the largest stiffness of hooke, luding   per pair
-///   unloading            the hertz limit over sqrt(k_2/k_1) of edinburgh           per pair
-///   liquid               m*/c, c the largest damping of a bridge                   per pair
-///   van der Waals        sqrt(m*/k), k the slope of the pull at the shortest gap   per pair
+/// laws::rayleigh_time per powder, and laws::time_limits per pair of species.
 TimeStep choose_time_step(const Case& c, const std::vector<Species>& species,
                           const std::vector<PairProperties>& pairs, const Walls& walls,
                           const std::vector<double>& smallest_radius);

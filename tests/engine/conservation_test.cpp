@@ -2,9 +2,9 @@
 // What contacts between parcels cannot change: momentum and angular momentum.
 #include <gtest/gtest.h>
 
-#include "tests/support/draw.hpp"
-#include "tests/support/scene.hpp"
-#include "tests/support/sums.hpp"
+#include "validation/draw.hpp"
+#include "validation/scene.hpp"
+#include "validation/sums.hpp"
 
 using namespace pulvis;
 using namespace pulvis::scenes;
@@ -45,7 +45,7 @@ TEST(Momentum, OfParcelsInAPeriodicBoxIsConserved) {
     m.domain.periodic[0] = m.domain.periodic[1] = m.domain.periodic[2] = true;
     std::vector<Parcel> parcels;
     for (std::uint32_t k = 0; k < 200; ++k) {
-      pulvis::testing::Draw draw(k, 41);
+      pulvis::validation::Draw draw(k, 41);
       const Vec3 at{(0.75 + 1.5 * (k % 6)) * 1e-3, (0.75 + 1.5 * (k / 6 % 6)) * 1e-3,
                     (0.75 + 1.5 * (k / 36)) * 1e-3};
       parcels.push_back(
@@ -74,7 +74,7 @@ TEST(AngularMomentum, OfParcelsInOpenSpaceIsConserved) {
     m.body_force.gravity = {};
     std::vector<Parcel> parcels;
     for (std::uint32_t k = 0; k < 200; ++k) {
-      pulvis::testing::Draw draw(k, 42);
+      pulvis::validation::Draw draw(k, 42);
       const Vec3 at{(1.4 * (k % 6) - 3.5) * 1e-3, (1.4 * (k / 6 % 6) - 3.5) * 1e-3,
                     (1.4 * (k / 36) - 3.5) * 1e-3};
       // Towards the middle, with a swirl.

@@ -7,7 +7,7 @@
 
 #include "engine/base/failure.hpp"
 #include "tests/engine/sticky_scene.hpp"
-#include "tests/support/sums.hpp"
+#include "validation/sums.hpp"
 
 using namespace pulvis;
 using namespace pulvis::scenes;

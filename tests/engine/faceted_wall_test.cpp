@@ -4,12 +4,12 @@
 
 #include <cmath>
 
-#include "tests/support/meshes.hpp"
-#include "tests/support/sums.hpp"
+#include "validation/meshes.hpp"
+#include "validation/sums.hpp"
 
 using namespace pulvis;
 using namespace pulvis::scenes;
-using pulvis::testing::Draw;
+using pulvis::validation::Draw;
 
 namespace {
 

@@ -6,7 +6,7 @@
 
 using namespace pulvis;
 using namespace pulvis::motions;
-using pulvis::testing::Draw;
+using pulvis::validation::Draw;
 
 namespace {
 
@@ -16,7 +16,7 @@ constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 TEST(Motion, FindsNoFaultInWhatIsSound) {
   for (std::uint64_t k = 0; k < 300; ++k) {
     Draw draw(k, 91);
-    for (const Kind& kind : pulvis::testing::one_of_each(draw)) {
+    for (const Kind& kind : pulvis::validation::one_of_each(draw)) {
       ASSERT_EQ(fault({kind}), std::nullopt) << *fault({kind});
       ASSERT_EQ(fault({kind, 0.5, 2.0}), std::nullopt);
     }

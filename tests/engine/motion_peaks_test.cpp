@@ -6,8 +6,8 @@
 
 using namespace pulvis;
 using namespace pulvis::motions;
-using pulvis::testing::Draw;
-using pulvis::testing::two_pi;
+using pulvis::validation::Draw;
+using pulvis::validation::two_pi;
 
 namespace {
 
@@ -36,7 +36,7 @@ void expect_reached(double stated, double seen, double above, const char* what) 
 TEST(Peaks, OfASineAreThoseOfItsFormula) {
   for (std::uint64_t k = 0; k < 50; ++k) {
     Draw draw(k, 101);
-    const Sine m{pulvis::testing::some_wave(draw), draw.direction()};
+    const Sine m{pulvis::validation::some_wave(draw), draw.direction()};
     const double period = 1.0 / m.wave.frequency, omega = two_pi * m.wave.frequency;
     const Peaks stated = peaks({m}), seen = sampled({m}, 0.0, 1.01 * period, 5000, 1e-4 * period);
     EXPECT_DOUBLE_EQ(stated.speed, omega * m.wave.amplitude);
@@ -87,7 +87,7 @@ TEST(Peaks, OfSinesWithoutACommonCycleAreNeverPassed) {
 TEST(Peaks, OfASquareWaveAreNeverPassedAndReachedIfTheModulationIsWhole) {
   for (std::uint64_t k = 0; k < 20; ++k) {
     Draw draw(k, 103);
-    SquareWave m = pulvis::testing::some_square_wave(draw);
+    SquareWave m = pulvis::validation::some_square_wave(draw);
     const double period = 1.0 / m.frequency, whole = std::round(draw.between(1.0, 20.0));
     m.modulation_period = whole * period;
     const double share = m.rise() / m.modulation();
@@ -102,7 +102,7 @@ TEST(Peaks, OfASquareWaveAreNeverPassedAndReachedIfTheModulationIsWhole) {
 TEST(Peaks, OfASquareWaveAreNeverPassedAndNearlyReachedIfTheModulationIsNot) {
   for (std::uint64_t k = 0; k < 20; ++k) {
     Draw draw(k, 104);
-    SquareWave m = pulvis::testing::some_square_wave(draw);
+    SquareWave m = pulvis::validation::some_square_wave(draw);
     const double periods = draw.between(2.0, 12.0);
     m.modulation_period = periods / m.frequency;
     const double span = m.modulation(), miss = std::numbers::pi / (4.0 * periods);
@@ -123,7 +123,7 @@ TEST(Peaks, OfAPathAreReachedInOneOfItsPieces) {
   for (std::uint64_t k = 0; k < 50; ++k) {
     Draw draw(k, 105);
     const auto between = k % 4 == 0 ? Path::Between::linear : Path::Between::cubic;
-    const Path m = pulvis::testing::some_path(draw, between, 2 + k % 7);
+    const Path m = pulvis::validation::some_path(draw, between, 2 + k % 7);
     Peaks seen;
     for (std::size_t i = 0; i + 1 < m.times.size(); ++i) {
       const double h = m.times[i + 1] - m.times[i];
@@ -143,7 +143,7 @@ TEST(Peaks, OfAPathAreReachedInOneOfItsPieces) {
 TEST(Peaks, OfAStrokeAndATranslation) {
   for (std::uint64_t k = 0; k < 100; ++k) {
     Draw draw(k, 106);
-    const Stroke m = pulvis::testing::some_stroke(draw);
+    const Stroke m = pulvis::validation::some_stroke(draw);
     const Peaks stated = peaks({m});
     const double time = *duration({m}), ramp = stated.speed / m.acceleration;
     const Peaks all = sampled({m}, 0.0, time, 20000, 1e-3 * ramp);

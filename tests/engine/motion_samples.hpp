@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "engine/walls/motions/motion.hpp"
-#include "tests/support/draw.hpp"
+#include "validation/draw.hpp"
 
 // Motions of all kinds with random numbers in them, and sines to hold them against.
-namespace pulvis::testing {
+namespace pulvis::validation {
 
 inline constexpr double two_pi = 2.0 * std::numbers::pi;
 
@@ -62,4 +62,4 @@ inline std::vector<motions::Kind> one_of_each(Draw& draw) {
           some_stroke(draw)};
 }
 
-}  // namespace pulvis::testing
+}  // namespace pulvis::validation

@@ -8,8 +8,8 @@
 
 using namespace pulvis;
 using namespace pulvis::motions;
-using pulvis::testing::Draw;
-using pulvis::testing::true_sine;
+using pulvis::validation::Draw;
+using pulvis::validation::true_sine;
 
 namespace {
 
@@ -26,7 +26,7 @@ long double true_wave(const Wave& w, double t) {
 TEST(Motion, StandsStillUpToItsStart) {
   for (std::uint64_t k = 0; k < 200; ++k) {
     Draw draw(k, 71);
-    for (const Kind& kind : pulvis::testing::one_of_each(draw)) {
+    for (const Kind& kind : pulvis::validation::one_of_each(draw)) {
       ASSERT_EQ(displacement({kind}, 0.0), Rigid{});
       const Motion later{kind, 0.25};
       for (const double t : {-1.0, 0.0, 0.1, 0.25}) ASSERT_EQ(displacement(later, t), Rigid{});
@@ -40,7 +40,7 @@ TEST(Motion, StandsStillUpToItsStart) {
 TEST(Motion, CountsItsOwnTimeFromItsStartAndStaysFromItsEndOn) {
   for (std::uint64_t k = 0; k < 200; ++k) {
     Draw draw(k, 72);
-    for (const Kind& kind : pulvis::testing::one_of_each(draw)) {
+    for (const Kind& kind : pulvis::validation::one_of_each(draw)) {
       const Motion m{kind, 0.25, 1.5};  // differences of these numbers are exact
       for (const double t : {0.5, 1.0, 1.5}) ASSERT_EQ(displacement(m, t), displacement({kind}, t - 0.25));
       for (const double t : {1.5000001, 2.0, 1e6}) ASSERT_EQ(displacement(m, t), displacement(m, 1.5));
@@ -74,7 +74,7 @@ TEST(Rotation, TurnsByTheIntegralOfItsRate) {
 TEST(Sine, FollowsALongDoubleSine) {
   for (std::uint64_t k = 0; k < 20000; ++k) {
     Draw draw(k, 74);
-    const Sine m{pulvis::testing::some_wave(draw), draw.direction()};
+    const Sine m{pulvis::validation::some_wave(draw), draw.direction()};
     const double t = draw.between(0.0, 100.0 / m.wave.frequency);
     expect_near(displacement({m}, t).shift, true_wave(m.wave, t), m.direction, 1e-13 * m.wave.amplitude);
   }
@@ -83,7 +83,7 @@ TEST(Sine, FollowsALongDoubleSine) {
 TEST(Swing, TurnsToAndFroAboutItsAxis) {
   for (std::uint64_t k = 0; k < 2000; ++k) {
     Draw draw(k, 75);
-    Swing m{pulvis::testing::some_wave(draw), draw.vector(0.1), draw.direction()};
+    Swing m{pulvis::validation::some_wave(draw), draw.vector(0.1), draw.direction()};
     m.wave.amplitude = draw.decades(1e-3, 0.5);
     const double t = draw.between(0.0, 100.0 / m.wave.frequency);
     const auto cycles = static_cast<double>(true_wave(m.wave, t));
@@ -96,7 +96,7 @@ TEST(Sines, AreTheSumOfTheirParts) {
   for (std::uint64_t k = 0; k < 5000; ++k) {
     Draw draw(k, 76);
     Sines m{{}, draw.direction()};
-    for (int i = 0; i < 4; ++i) m.waves.push_back(pulvis::testing::some_wave(draw));
+    for (int i = 0; i < 4; ++i) m.waves.push_back(pulvis::validation::some_wave(draw));
     const double t = draw.between(0.0, 0.5);
     long double along = 0.0L, sizes = 0.0L;
     for (const Wave& w : m.waves) along += true_wave(w, t), sizes += w.amplitude;
@@ -107,7 +107,7 @@ TEST(Sines, AreTheSumOfTheirParts) {
 TEST(Sines, OfOneIsTheSineToTheBit) {
   for (std::uint64_t k = 0; k < 200; ++k) {
     Draw draw(k, 77);
-    const Wave wave = pulvis::testing::some_wave(draw);
+    const Wave wave = pulvis::validation::some_wave(draw);
     const Vec3 d = draw.direction();
     const double t = draw.between(0.0, 5.0);
     ASSERT_EQ(displacement({Sines{{wave}, d}}, t), displacement({Sine{wave, d}}, t));
@@ -128,7 +128,7 @@ long double true_square_wave(const SquareWave& m, double t) {
 TEST(SquareWave, FollowsItsEquations) {
   for (std::uint64_t k = 0; k < 20000; ++k) {
     Draw draw(k, 78);
-    const SquareWave m = pulvis::testing::some_square_wave(draw);
+    const SquareWave m = pulvis::validation::some_square_wave(draw);
     const double t = draw.between(0.0, 100.0 / m.frequency);
     // The rounding of f t, 1.1e-14 of a cycle at most here, counts by the steepness of the flank.
     const double tolerance = m.amplitude * (1e-13 + 2e-14 * 3.75 / (m.frequency * m.rise()));
@@ -177,11 +177,11 @@ TEST(Motion, LosesNoMoreAfterALongTimeThanTheRoundingOfItsCycles) {
   for (std::uint64_t k = 0; k < 5000; ++k) {
     Draw draw(k, 79);
     const double t = draw.between(0.9e6, 1e6);
-    const Sine sine{pulvis::testing::some_wave(draw), {0, 0, 1}};
+    const Sine sine{pulvis::validation::some_wave(draw), {0, 0, 1}};
     const double cycles = sine.wave.frequency * t;
     const auto miss = displacement({sine}, t).shift.z - true_wave(sine.wave, t);
     worst_sine = std::max(worst_sine, static_cast<double>(std::abs(miss)) / (sine.wave.amplitude * cycles));
-    SquareWave wave = pulvis::testing::some_square_wave(draw);
+    SquareWave wave = pulvis::validation::some_square_wave(draw);
     wave.direction = {0, 0, 1};
     const auto off = displacement({wave}, t).shift.z - true_square_wave(wave, t);
     const double steepness = 1.0 / (wave.frequency * wave.rise());

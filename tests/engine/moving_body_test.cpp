@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "tests/support/scene.hpp"
+#include "validation/scene.hpp"
 
 using namespace pulvis;
 

@@ -10,10 +10,10 @@
 #include <set>
 #include <utility>
 
-#include "tests/support/draw.hpp"
+#include "validation/draw.hpp"
 
 using namespace pulvis;
-using pulvis::testing::Draw;
+using pulvis::validation::Draw;
 
 namespace {
 

@@ -8,9 +8,9 @@
 
 using namespace pulvis;
 using namespace pulvis::motions;
-using pulvis::testing::Draw;
-using pulvis::testing::some_path;
-using pulvis::testing::some_stroke;
+using pulvis::validation::Draw;
+using pulvis::validation::some_path;
+using pulvis::validation::some_stroke;
 
 namespace {
 

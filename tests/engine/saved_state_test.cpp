@@ -142,7 +142,7 @@ TEST(SavedState, TamperedWithIsRefusedOrGoesOnButNeverCrashes) {
   std::size_t refused = 0;
   constexpr std::uint64_t rounds = 400;
   for (std::uint64_t round = 0; round < rounds; ++round) {
-    pulvis::testing::Draw draw(round, 77);
+    pulvis::validation::Draw draw(round, 77);
     auto changed = bytes;
     const auto at = static_cast<std::size_t>(draw.between(0.0, static_cast<double>(bytes.size() - 8)));
     // A flipped bit, a byte of ones, or a whole number that is far too large.

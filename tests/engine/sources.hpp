@@ -3,7 +3,7 @@
 #include <cmath>
 #include <vector>
 
-#include "tests/support/scene.hpp"
+#include "validation/scene.hpp"
 
 // Sources to draw from, and what must hold for what they give.
 namespace pulvis::scenes {

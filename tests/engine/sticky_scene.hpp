@@ -4,8 +4,8 @@
 #include <cmath>
 #include <string>
 
-#include "tests/support/draw.hpp"
-#include "tests/support/scene.hpp"
+#include "validation/draw.hpp"
+#include "validation/scene.hpp"
 
 // A small scene with everything in it that could make a result depend on what it must not depend on: sticky
 // parcels of many sizes, some of which wait and some of which rain, a box, and a floor that shakes.
@@ -51,7 +51,7 @@ inline Model sticky_model(double skin = 1.0) {
 inline std::vector<Parcel> sticky_parcels() {
   std::vector<Parcel> list;
   for (std::uint32_t k = 0; k < 400; ++k) {
-    pulvis::testing::Draw draw(k, 31);
+    pulvis::validation::Draw draw(k, 31);
     const double radius = draw.between(0.3e-3, 0.5e-3);
     const Vec3 at{(0.55 + 1.1 * (k % 7)) * 1e-3, (0.55 + 1.1 * (k / 7 % 7)) * 1e-3,
                   (0.8 + 1.05 * (k / 49)) * 1e-3};

@@ -8,10 +8,10 @@
 #include <functional>
 #include <set>
 
-#include "tests/support/draw.hpp"
+#include "validation/draw.hpp"
 
 using namespace pulvis;
-using pulvis::testing::Draw;
+using pulvis::validation::Draw;
 
 namespace {
 

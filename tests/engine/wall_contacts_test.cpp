@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "tests/support/meshes.hpp"
-#include "tests/support/sums.hpp"
+#include "validation/meshes.hpp"
+#include "validation/sums.hpp"
 
 using namespace pulvis;
 using namespace pulvis::scenes;
@@ -128,7 +128,7 @@ TEST(SphereThatWraps, FindsTheFloorAtTheOtherEnd) {
     m.domain.min.x = -0.01;
     m.domain.max.x = 0.01;
     m.domain.periodic[0] = true;
-    pulvis::testing::Draw draw(1, 108);
+    pulvis::validation::Draw draw(1, 108);
     if (kind == 2)
       add_mesh(m, random_triangles({-0.01, -0.01, 0}, {0.02, 0, 0}, {0, 0.02, 0}, 8, 8, 0.2, draw));
     Simulation s(m, state_of(m, {heavy({0.0099, 0, 0.999 * radius}, {0.1, 0, 0})}), 1);

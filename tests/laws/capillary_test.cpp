@@ -4,11 +4,11 @@
 
 #include <cmath>
 
-#include "tests/laws/plain_touch.hpp"
-#include "tests/laws/reference.hpp"
+#include "validation/references/law.hpp"
+#include "validation/references/plain_touch.hpp"
 
 using namespace pulvis;
-using namespace pulvis::testing;
+using namespace pulvis::validation;
 namespace cohesion = pulvis::laws::cohesion;
 
 namespace {

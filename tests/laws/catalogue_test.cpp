@@ -12,11 +12,11 @@
 #include <vector>
 
 #include "engine/kernels/contact_block.hpp"
-#include "tests/laws/law_list.hpp"
-#include "tests/laws/reference.hpp"
+#include "validation/references/law.hpp"
+#include "validation/references/law_list.hpp"
 
 using namespace pulvis;
-using namespace pulvis::testing;
+using namespace pulvis::validation;
 
 namespace {
 

@@ -6,10 +6,10 @@
 
 #include <cmath>
 
-#include "tests/laws/reference.hpp"
+#include "validation/references/law.hpp"
 
 using namespace pulvis;
-using namespace pulvis::testing;
+using namespace pulvis::validation;
 
 namespace {
 

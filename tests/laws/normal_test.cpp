@@ -7,10 +7,10 @@
 #include <string>
 
 #include "engine/laws/estimates.hpp"
-#include "tests/laws/reference.hpp"
+#include "validation/references/law.hpp"
 
 using namespace pulvis;
-using namespace pulvis::testing;
+using namespace pulvis::validation;
 
 namespace {
 

@@ -4,10 +4,10 @@
 
 #include <cmath>
 
-#include "tests/laws/plain_touch.hpp"
+#include "validation/references/plain_touch.hpp"
 
 using namespace pulvis;
-using namespace pulvis::testing;
+using namespace pulvis::validation;
 
 namespace {
 

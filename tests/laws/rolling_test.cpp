@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tests/laws/reference.hpp"
+#include "validation/references/law.hpp"
 
 using namespace pulvis;
-using namespace pulvis::testing;
+using namespace pulvis::validation;
 
 namespace {
 

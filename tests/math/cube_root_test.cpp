@@ -8,8 +8,8 @@
 #include "tests/math/ulp.hpp"
 
 using pulvis::cube_root;
-using pulvis::testing::between;
-using pulvis::testing::error_in_ulp;
+using pulvis::validation::between;
+using pulvis::validation::error_in_ulp;
 
 namespace {
 

@@ -14,8 +14,8 @@ using pulvis::exponential;
 using pulvis::logarithm;
 using pulvis::power;
 using pulvis::sine_of_cycles;
-using pulvis::testing::between;
-using pulvis::testing::error_in_ulp;
+using pulvis::validation::between;
+using pulvis::validation::error_in_ulp;
 
 namespace {
 

@@ -6,10 +6,10 @@
 
 #include <cmath>
 
-#include "tests/support/draw.hpp"
+#include "validation/draw.hpp"
 
 using namespace pulvis;
-using pulvis::testing::Draw;
+using pulvis::validation::Draw;
 
 namespace {
 

@@ -10,7 +10,7 @@
 
 using pulvis::inverse_normal;
 using pulvis::normal_cumulative;
-using pulvis::testing::between;
+using pulvis::validation::between;
 
 namespace {
 

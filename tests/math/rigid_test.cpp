@@ -7,10 +7,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "tests/support/draw.hpp"
+#include "validation/draw.hpp"
 
 using namespace pulvis;
-using pulvis::testing::Draw;
+using pulvis::validation::Draw;
 
 namespace {
 

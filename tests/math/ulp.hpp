@@ -5,7 +5,7 @@
 
 #include "engine/base/random.hpp"
 
-namespace pulvis::testing {
+namespace pulvis::validation {
 
 /// Distance of a result from the truth, counted in the spacing of doubles near the truth.
 inline double error_in_ulp(double result, long double truth) {
@@ -20,4 +20,4 @@ inline double between(double low, double high, std::uint64_t number, std::uint32
   return low + (high - low) * uniform(20240601, 0, number, draw);
 }
 
-}  // namespace pulvis::testing
+}  // namespace pulvis::validation

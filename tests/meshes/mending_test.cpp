@@ -9,7 +9,7 @@
 #include "meshes/mesh_words.hpp"
 #include "shapes.hpp"
 #include "tests/output/failures.hpp"
-#include "tests/support/draw.hpp"
+#include "validation/draw.hpp"
 
 namespace pulvis {
 namespace {
@@ -41,7 +41,7 @@ TEST(Mending, JoinsTheCornersOfACube) {
 }
 
 TEST(Mending, WeldsCornersThatRoundingHasParted) {
-  testing::Draw draw(1);
+  validation::Draw draw(1);
   auto soup = cube_soup();
   for (auto& corners : soup.triangles)
     for (Vec3& corner : corners) corner += draw.vector(2e-6);  // the weld distance is 14e-6
@@ -54,7 +54,7 @@ TEST(Mending, WeldsCornersThatRoundingHasParted) {
 
 TEST(Mending, WeldsTheSamePointsWhateverTheOrderOfTheTriangles) {
   // A cloud so dense that most points have several others within the weld distance.
-  testing::Draw draw(2);
+  validation::Draw draw(2);
   TriangleSoup soup{"cloud", {}};
   for (int t = 0; t < 500; ++t) soup.triangles.push_back({draw.vector(1), draw.vector(1), draw.vector(1)});
   const auto points_of = [](const MendedMesh& mesh) {
@@ -88,7 +88,7 @@ TEST(Mending, WeldsAcrossTheCellsOfItsGrid) {
 
 TEST(Mending, ToleratesThe32BitRoundingOfACubeFarFromTheOrigin) {
   auto soup = cube_soup();
-  testing::Draw draw(3);
+  validation::Draw draw(3);
   for (auto& corners : soup.triangles)
     for (Vec3& corner : corners) {
       corner += Vec3{20000, -30000, 10000};
@@ -189,7 +189,7 @@ TEST(Mending, RefusesASurfaceWithoutArea) {
 
 TEST(Mending, TakesMillionsOfDegenerateTrianglesInSeconds) {
   const Vec3 p{1, 2, 3}, q{4, 4, 4};
-  testing::Draw draw(5);
+  validation::Draw draw(5);
   auto soup = cube_soup();
   for (int t = 0; t < 500'000; ++t) {
     soup.triangles.push_back({p, p, p});

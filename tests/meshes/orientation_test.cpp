@@ -8,7 +8,7 @@
 #include "meshes/mending.hpp"
 #include "meshes/mesh_words.hpp"
 #include "shapes.hpp"
-#include "tests/support/draw.hpp"
+#include "validation/draw.hpp"
 
 namespace pulvis {
 namespace {
@@ -29,7 +29,7 @@ TEST(Orientation, TurnsTheOneFacetThatDisagrees) {
 
 TEST(Orientation, TurnsRandomMixturesAndInsideOutBodiesOutward) {
   for (std::uint64_t trial = 0; trial < 100; ++trial) {
-    testing::Draw draw(trial);
+    validation::Draw draw(trial);
     auto soup = cube_soup();
     std::uint64_t turned = 0;
     const double share = draw.between(0, 1);
@@ -95,7 +95,7 @@ TEST(Orientation, FindsTheVolumeOfTwoCubesThatTouchAlongAnEdge) {
 }
 
 TEST(AgreementSets, KnowWhoAgreesWithWhomHoweverTheyWereJoined) {
-  testing::Draw draw(1);
+  validation::Draw draw(1);
   constexpr std::uint32_t count = 2000;
   std::vector<bool> side(count);
   for (std::uint32_t k = 0; k < count; ++k) side[k] = draw.chance(0.5);

@@ -8,7 +8,7 @@
 
 #include "meshes/mending.hpp"
 #include "shapes.hpp"
-#include "tests/support/draw.hpp"
+#include "validation/draw.hpp"
 
 namespace pulvis {
 namespace {
@@ -100,7 +100,7 @@ bool pierce_by_brute_force(const TriangleMesh& a, const TriangleMesh& b, bool& d
   return found;
 }
 
-TriangleMesh random_triangles(testing::Draw& draw, int count, double size) {
+TriangleMesh random_triangles(validation::Draw& draw, int count, double size) {
   TriangleMesh mesh;
   for (int t = 0; t < count; ++t) {
     const Vec3 centre = 3.0 * Vec3{draw.between(0, 1), draw.between(0, 1), draw.between(0, 1)};
@@ -114,7 +114,7 @@ TriangleMesh random_triangles(testing::Draw& draw, int count, double size) {
 TEST(Piercing, AgreesWithBruteForceOnRandomTriangles) {
   int found = 0, compared = 0;
   for (std::uint64_t trial = 0; trial < 2000; ++trial) {
-    testing::Draw draw(trial);
+    validation::Draw draw(trial);
     const int count = 1 + static_cast<int>(draw.between(0, 30));
     const double size = draw.between(0.2, 0.8);
     const auto a = random_triangles(draw, count, size), b = random_triangles(draw, count, size);

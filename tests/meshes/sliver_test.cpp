@@ -8,7 +8,7 @@
 #include "meshes/mending.hpp"
 #include "meshes/mesh_words.hpp"
 #include "shapes.hpp"
-#include "tests/support/draw.hpp"
+#include "validation/draw.hpp"
 
 namespace pulvis {
 namespace {
@@ -68,7 +68,7 @@ TEST(Slivers, ACapGoesBySplittingItsNeighbour) {
 
 TEST(Slivers, CapsUponCapsGoToo) {
   for (std::uint64_t trial = 0; trial < 300; ++trial) {
-    testing::Draw draw(trial);
+    validation::Draw draw(trial);
     auto soup = cube_soup();
     const int caps = 1 + static_cast<int>(draw.between(0, 12));
     for (int k = 0; k < caps; ++k) {
@@ -105,7 +105,7 @@ TEST(Slivers, ACapWithoutNeighbourLeavesTheOthersAlone) {
 
 TEST(Slivers, AKnotOfSliversIsGivenUpInBoundedTime) {
   // All on one line, so that each split makes more of them.
-  testing::Draw draw(1);
+  validation::Draw draw(1);
   auto soup = cube_soup();
   std::vector<Vec3> line;
   for (int k = 0; k < 200; ++k) line.push_back({20 + draw.between(0, 1), draw.between(0, 1e-7), 0});

@@ -10,7 +10,7 @@
 #include "shapes.hpp"
 #include "tests/output/failures.hpp"
 #include "tests/output/scratch_folder.hpp"
-#include "tests/support/draw.hpp"
+#include "validation/draw.hpp"
 
 namespace pulvis {
 namespace {
@@ -202,7 +202,7 @@ void damage_and_read(StlForm form, std::uint32_t stream) {
   ScratchFolder folder;
   int refused = 0;
   for (std::uint64_t trial = 0; trial < 2000; ++trial) {
-    testing::Draw draw(trial, stream);
+    validation::Draw draw(trial, stream);
     auto content = sound;
     const auto at = static_cast<std::size_t>(draw.between(0, static_cast<double>(content.size())));
     if (draw.chance(0.2))

@@ -8,7 +8,7 @@
 #include "shapes.hpp"
 #include "tests/output/failures.hpp"
 #include "tests/output/scratch_folder.hpp"
-#include "tests/support/draw.hpp"
+#include "validation/draw.hpp"
 
 namespace pulvis {
 namespace {
@@ -36,7 +36,7 @@ TEST(StlFile, ComesBackFromBinaryAsWrittenUpToRounding) {
 
 TEST(StlFile, ComesBackFromTextToTheLastBit) {
   ScratchFolder folder;
-  testing::Draw draw(1);
+  validation::Draw draw(1);
   TriangleSoup written;
   for (int t = 0; t < 200; ++t)
     written.triangles.push_back(

@@ -11,7 +11,7 @@
 #include "output/chunk_file.hpp"
 #include "run/assemble.hpp"
 #include "tests/run/small_die.hpp"
-#include "tests/support/draw.hpp"
+#include "validation/draw.hpp"
 
 using namespace pulvis;
 using namespace pulvis::tests;
@@ -149,7 +149,7 @@ TEST(CheckpointFile, NoticesFlippedBitsAndCutsAnywhere) {
   ASSERT_GT(rounds, 0u);
   std::uint64_t noticed = 0;
   for (std::uint64_t round = 0; round < rounds; ++round) {
-    pulvis::testing::Draw draw(round, 4711);
+    pulvis::validation::Draw draw(round, 4711);
     std::string changed = whole;
     const auto at = static_cast<std::size_t>(draw.between(0.0, static_cast<double>(whole.size())));
     // The first bytes, which say where all others are, as often as all the rest.

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/run/small_die.hpp"
-#include "tests/support/draw.hpp"
+#include "validation/draw.hpp"
 
 using namespace pulvis::tests;
 namespace fs = std::filesystem;
@@ -93,7 +93,7 @@ TEST(KilledRun, EndsInTheSameBytesHoweverOftenItIsKilled) {
   for (std::uint64_t round = 0; round < 200; ++round) {
     const bool fresh = place.checkpoints().empty();
     Process run(place.command({fresh ? "--force" : "--resume", "--threads", std::to_string(1 + round % 4)}));
-    pulvis::testing::Draw draw(round, 99);
+    pulvis::validation::Draw draw(round, 99);
     std::optional<Outcome> ended;
     if (kills < 5)
       ended = run.wait(draw.between(0.02, 0.02 + 0.4 * seconds_of_straight()));

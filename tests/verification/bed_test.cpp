@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
-#include "tests/support/draw.hpp"
-#include "tests/support/scene.hpp"
-#include "tests/support/sums.hpp"
+#include "validation/draw.hpp"
+#include "validation/scene.hpp"
+#include "validation/sums.hpp"
 
 using namespace pulvis;
 using namespace pulvis::scenes;
@@ -31,7 +31,7 @@ Bed loose_bed(const char* normal) {
   add_wall(bed.model, plane_surface("left", {0, 0, 0}, {1, 0, 0}));
   add_wall(bed.model, plane_surface("right", {0.006, 0, 0}, {1, 0, 0}));
   for (std::uint32_t k = 0; k < 200; ++k) {
-    pulvis::testing::Draw draw(k, 71);
+    pulvis::validation::Draw draw(k, 71);
     const Vec3 at{(0.6 + 1.2 * (k % 5)) * 1e-3, (0.6 + 1.2 * (k / 5 % 5)) * 1e-3,
                   (0.6 + 1.2 * (k / 25)) * 1e-3};
     bed.parcels.push_back(parcel(k, at, draw.between(0.35e-3, 0.55e-3), 2500.0, draw.vector(0.05)));

@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "tests/support/scene.hpp"
-#include "tests/support/sums.hpp"
+#include "validation/scene.hpp"
+#include "validation/sums.hpp"
 
 using namespace pulvis;
 using namespace pulvis::scenes;

@@ -2,7 +2,7 @@
 // Head-on Hertz impacts at dt = t_c/1000: peak, depth, duration, restitution.
 #include <gtest/gtest.h>
 
-#include "tests/verification/collisions.hpp"
+#include "validation/collisions.hpp"
 
 using namespace pulvis;
 using namespace pulvis::scenes;

@@ -5,9 +5,9 @@
 #include <array>
 #include <cmath>
 
-#include "tests/support/draw.hpp"
-#include "tests/support/scene.hpp"
-#include "tests/support/sums.hpp"
+#include "validation/draw.hpp"
+#include "validation/scene.hpp"
+#include "validation/sums.hpp"
 
 using namespace pulvis;
 using namespace pulvis::scenes;
@@ -139,7 +139,7 @@ TEST(HertzGas, KeepsItsEnergyInAPeriodicBox) {
   std::vector<Parcel> parcels;
   double speed_squared = 0.0;
   for (std::uint32_t k = 0; k < 100; ++k) {
-    pulvis::testing::Draw draw(k, 81);
+    pulvis::validation::Draw draw(k, 81);
     const Vec3 at{(0.7 + 1.4 * (k % 5)) * 1e-3, (0.7 + 1.4 * (k / 5 % 5)) * 1e-3,
                   (0.7 + 1.4 * (k / 25)) * 1e-3};
     parcels.push_back(parcel(k, at, r, 2500.0, draw.vector(0.5)));

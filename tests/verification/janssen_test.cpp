@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-#include "tests/support/scene.hpp"
+#include "validation/scene.hpp"
 
 using namespace pulvis;
 using namespace pulvis::scenes;

@@ -4,11 +4,11 @@
 
 #include <cmath>
 
-#include "tests/support/meshes.hpp"
+#include "validation/meshes.hpp"
 
 using namespace pulvis;
 using namespace pulvis::scenes;
-using pulvis::testing::Draw;
+using pulvis::validation::Draw;
 
 namespace {
 

@@ -4,7 +4,7 @@
 // integration of the same law (numbers printed below).
 #include <gtest/gtest.h>
 
-#include "tests/verification/collisions.hpp"
+#include "validation/collisions.hpp"
 
 using namespace pulvis;
 using namespace pulvis::scenes;

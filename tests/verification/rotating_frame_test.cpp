@@ -5,11 +5,11 @@
 #include <cmath>
 
 #include "engine/math/rigid.hpp"
-#include "tests/support/meshes.hpp"
+#include "validation/meshes.hpp"
 
 using namespace pulvis;
 using namespace pulvis::scenes;
-using pulvis::testing::Draw;
+using pulvis::validation::Draw;
 
 namespace {
 

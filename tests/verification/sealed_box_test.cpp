@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "tests/support/meshes.hpp"
+#include "validation/meshes.hpp"
 
 using namespace pulvis;
 using namespace pulvis::scenes;
@@ -15,7 +15,7 @@ TEST(SealedBoxOfTriangles, LosesNoneOfTenThousandCohesiveParcelsInTwentyCyclesOf
   LawParts parts;
   parts.normal = "jkr";
   Model m = one_material(stuff, parts, {-0.05, -0.05, -0.05}, {0.05, 0.05, 0.05}, 2e-5, radius, radius);
-  pulvis::testing::Draw draw(1, 98);
+  pulvis::validation::Draw draw(1, 98);
   add_mesh(m, random_box({-half, -half, -half}, {half, half, half}, 10, 0.24, draw));
   const double frequency = 50.0, angular = 2.0 * pi * frequency;
   // Aslant, so that every wall, edge and corner gets its share.

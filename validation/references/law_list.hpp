@@ -5,7 +5,7 @@
 
 #include "engine/laws/catalogue.hpp"
 
-namespace pulvis::testing {
+namespace pulvis::validation {
 
 inline std::string name_of(const laws::Law& law) {
   std::string name;
@@ -39,4 +39,4 @@ inline const std::vector<laws::Law>& laws_to_test() {
   return list;
 }
 
-}  // namespace pulvis::testing
+}  // namespace pulvis::validation

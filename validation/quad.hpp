@@ -5,7 +5,7 @@
 #include "engine/math/vec3.hpp"
 
 // Arithmetic with 113 bits (g++'s __float128) for references that the engine's 53 bits are measured against.
-namespace pulvis::testing {
+namespace pulvis::validation {
 
 using Quad = __float128;
 
@@ -45,4 +45,4 @@ inline double distance(const Vec3& result, const QuadVec& reference) {
   return static_cast<double>(norm(quad(result) - reference));
 }
 
-}  // namespace pulvis::testing
+}  // namespace pulvis::validation

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-#include "tests/laws/reference_cohesion.hpp"
-#include "tests/laws/reference_normal.hpp"
-#include "tests/support/draw.hpp"
+#include "validation/draw.hpp"
+#include "validation/references/cohesion.hpp"
+#include "validation/references/normal.hpp"
 
 // A whole contact law a second time, in 113 bits, from the equations in the files of engine/laws.
-namespace pulvis::testing {
+namespace pulvis::validation {
 
 /// c = -2 f beta sqrt(S m*) with beta = ln e/sqrt(ln^2 e + pi^2); f is sqrt(5/6) for Hertz.
 inline Quad reference_dashpot(Quad stiffness, Quad mass, double restitution,
@@ -298,4 +298,4 @@ inline double relative(double error, Quad terms) {
   return error == 0.0 ? 0.0 : error / static_cast<double>(terms);
 }
 
-}  // namespace pulvis::testing
+}  // namespace pulvis::validation

@@ -6,7 +6,7 @@
 #include "engine/base/random.hpp"
 #include "engine/math/vec3.hpp"
 
-namespace pulvis::testing {
+namespace pulvis::validation {
 
 /// Repeatable random numbers for one random case of a test: the same whatever was drawn for the others.
 class Draw {
@@ -36,4 +36,4 @@ class Draw {
   std::uint32_t next_ = 0;
 };
 
-}  // namespace pulvis::testing
+}  // namespace pulvis::validation

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tests/support/scene.hpp"
+#include "engine/laws/time_limits.hpp"
+#include "validation/scene.hpp"
 
 // Single collisions, run through the whole engine.
 namespace pulvis::scenes {
@@ -97,6 +98,22 @@ inline laws::MaterialPair on_rigid_plane(double modulus, double poisson, double 
   m.restitution = restitution;
   m.friction = friction;
   return m;
+}
+
+/// What `time.fraction` of a case is where it does not say: share of the smallest limit.
+inline constexpr double standard_step_fraction = 0.2;
+
+/// The time step a case would be given for this collision, s. Like materials, or one at a rigid plane, so that
+/// E*/G* = 2 (2 - nu)/(1 - nu) and E = E* (1 - nu^2), twice that in a pair.
+inline double automatic_step(const Collision& c) {
+  const double ratio = c.material.effective_modulus / c.material.effective_shear_modulus;
+  const double poisson = (ratio - 4.0) / (ratio - 2.0);
+  const double young = c.material.effective_modulus * (1.0 - poisson * poisson) * (c.at_wall ? 1.0 : 2.0);
+  double least = laws::rayleigh_time(c.radius, c.density, young, poisson);
+  for (const laws::TimeLimit& limit : laws::time_limits(c.parts.normal, c.parts.cohesion, c.material,
+                                                        c.reduced_mass(), c.reduced_radius(), c.speed))
+    least = std::min(least, limit.time);
+  return standard_step_fraction * least;
 }
 
 }  // namespace pulvis::scenes

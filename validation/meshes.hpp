@@ -4,8 +4,8 @@
 #include <tuple>
 #include <vector>
 
-#include "tests/support/draw.hpp"
-#include "tests/support/scene.hpp"
+#include "validation/draw.hpp"
+#include "validation/scene.hpp"
 
 // Meshes for tests, and how they get into a model.
 namespace pulvis::scenes {
@@ -14,7 +14,7 @@ namespace pulvis::scenes {
 /// random by up to `jitter` cells (below a quarter no triangle turns over), diagonals are laid at random; the rim stays even, so that neighbours fit.
 inline TriangleMesh random_triangles(const Vec3& corner, const Vec3& along, const Vec3& across,
                                      std::uint32_t along_count, std::uint32_t across_count, double jitter,
-                                     testing::Draw& draw) {
+                                     validation::Draw& draw) {
   TriangleMesh mesh;
   for (std::uint32_t j = 0; j <= across_count; ++j)
     for (std::uint32_t i = 0; i <= along_count; ++i) {
@@ -58,7 +58,7 @@ inline TriangleMesh joined(const std::vector<TriangleMesh>& parts) {
 
 /// The six faces of a box.
 inline TriangleMesh random_box(const Vec3& low, const Vec3& high, std::uint32_t cells, double jitter,
-                               testing::Draw& draw) {
+                               validation::Draw& draw) {
   const Vec3 e = high - low, x{e.x, 0, 0}, y{0, e.y, 0}, z{0, 0, e.z};
   const auto face = [&](const Vec3& corner, const Vec3& a, const Vec3& b) {
     return random_triangles(corner, a, b, cells, cells, jitter, draw);

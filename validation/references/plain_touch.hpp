@@ -2,7 +2,7 @@
 #pragma once
 #include "engine/laws/catalogue.hpp"
 
-namespace pulvis::testing {
+namespace pulvis::validation {
 
 /// Two spheres in touch along z, at rest, as a law sees them.
 inline laws::Touch touch_of(double first, double second, double overlap, bool was_touching = true) {
@@ -50,4 +50,4 @@ inline double restitution_shown(const laws::Law& law, const laws::MaterialPair& 
   return -1.0;
 }
 
-}  // namespace pulvis::testing
+}  // namespace pulvis::validation

@@ -4,10 +4,10 @@
 #include <string_view>
 
 #include "engine/laws/catalogue.hpp"
-#include "tests/support/quad.hpp"
+#include "validation/quad.hpp"
 
 // The laws of cohesion a second time, from their published equations, in 64 to 113 bits.
-namespace pulvis::testing {
+namespace pulvis::validation {
 
 struct ReferenceCohesion {
   Quad pull = 0, terms = 0;                         ///< N
@@ -135,4 +135,4 @@ inline ReferenceCohesion reference_cohesion(std::string_view law, const laws::To
   return c;
 }
 
-}  // namespace pulvis::testing
+}  // namespace pulvis::validation
