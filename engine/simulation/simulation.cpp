@@ -29,7 +29,7 @@ State Simulation::initial_state(const Model& model) {
   state.motions.resize(model.motions.size());
   state.body_absent.assign(model.walls.bodies.size(), 0);
   state.sources.resize(model.sources.size());
-  state.pairs.begin = state.walls.begin = {0};
+  state.pairs.memory.used = state.walls.memory.used = model.classes.remember();
   return state;
 }
 
