@@ -13,6 +13,7 @@
 #include "run/law_report.hpp"
 #include "run/preflight.hpp"
 #include "run/run_case.hpp"
+#include "run/stop_request.hpp"
 #include "validation/validate.hpp"
 
 namespace {
@@ -22,9 +23,11 @@ using pulvis::Failure;
 
 extern "C" void on_interrupt(int signal) {
   // The first Ctrl-C ends after this step with valid results; a second one ends at once.
-  pulvis::ask_to_stop();
+  pulvis::ask_to_stop(signal);
   std::signal(signal, SIG_DFL);
 }
+
+extern "C" void on_leave(int signal) { pulvis::ask_to_stop(signal); }
 
 std::vector<pulvis::Override> overrides_from(const std::vector<std::string>& settings) {
   std::vector<pulvis::Override> list;
@@ -87,7 +90,8 @@ int main(int argc, char** argv) {
   app.footer(
       "Exit codes: 0 completed, 2 usage or results folder in use, 3 invalid case, 4 unreadable input, 5 "
       "physics\n"
-      "(not a number, lost parcel), 6 results cannot be written, 7 internal check, 130 Ctrl-C");
+      "(not a number, lost parcel), 6 results cannot be written, 7 internal check, 8 a target was missed,\n"
+      "75 stopped with a checkpoint by SIGTERM, SIGUSR1 or --max-wall, 130 Ctrl-C");
   app.set_version_flag("--version", PULVIS_VERSION);
   app.require_subcommand(1);
 
@@ -108,8 +112,16 @@ int main(int argc, char** argv) {
       "'output.interval=1 ms'\n"
       "Leaves result.json, log.csv, picture.png and series for ParaView (parcels.pvd, walls.pvd, "
       "porosity.pvd) in\n"
-      "the folder. Ctrl-C ends the run after the current step with valid results.");
-  run->add_flag("--force", request.force, "replace the results of an earlier run in that folder");
+      "the folder. Ctrl-C ends the run after the current step with valid results; SIGTERM and SIGUSR1 stop "
+      "it\n"
+      "there with a checkpoint. Either way, or after a crash, the same command with --resume goes on to the\n"
+      "same results.");
+  auto* force =
+      run->add_flag("--force", request.force, "replace the results of an earlier run in that folder");
+  run->add_flag("--resume", request.resume, "go on from the newest checkpoint in that folder")
+      ->excludes(force);
+  run->add_option("--max-wall", request.max_wall,
+                  "stop with a checkpoint (exit 75) after this time on the clock, e.g. \"12 h\"");
 
   auto* check_command =
       app.add_subcommand("check", "validate a case and print what follows from it; simulates nothing");
@@ -189,6 +201,8 @@ int main(int argc, char** argv) {
     std::signal(SIGINT, on_interrupt);
     Exit result = Exit::ok;
     if (*run) {
+      std::signal(SIGTERM, on_leave);
+      std::signal(SIGUSR1, on_leave);
       request.overrides = overrides_from(settings);
       result = pulvis::run_case(request);
     } else if (*check_command) {

@@ -291,7 +291,8 @@ class Builder {
   }
 
   static OutputChoice output(const Section& section) {
-    return {section.number("interval"), section.number("log_interval"), section.flag("picture")};
+    return {section.number("interval"), section.number("log_interval"), section.number("checkpoint_interval"),
+            section.flag("picture")};
   }
 
   const Section& root_;

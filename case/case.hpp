@@ -177,6 +177,7 @@ struct MeasureChoice {
 struct OutputChoice {
   double interval = 0.0;      ///< s between frames for ParaView; 0: only at the end of phases
   double log_interval = 0.0;  ///< s between lines of log.csv; 0: a hundredth of the longest phase limit
+  double checkpoint_interval = 900.0;  ///< s on the clock; 0: only at the end of phases
   bool picture = true;
 };
 
