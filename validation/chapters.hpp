@@ -19,6 +19,7 @@ struct Chapter {
 };
 const std::vector<Chapter>& chapters();
 
+void gas(Findings&, Effort);
 void jkr(Findings&, Effort);
 
 }  // namespace pulvis::validation
