@@ -11,7 +11,8 @@ const std::vector<Chapter>& chapters() {
        "work of separation and the sticking speed against closed forms.",
        jkr},
       {"gas", "Energy of an elastic gas",
-       "Frictionless Hertz spheres of several sizes in a periodic box: kinetic energy and elastic energy of the "
+       "Frictionless Hertz spheres of several sizes in a periodic box: kinetic energy and elastic energy of "
+       "the "
        "contacts, summed from the positions by code of its own, stay what they were.",
        gas},
   };

@@ -34,8 +34,7 @@ scenes::Collision shortest_collision() {
 /// Spheres on a lattice with room between them, with normally distributed velocities and no momentum.
 Simulation start(double dt) {
   const scenes::Collision c = shortest_collision();
-  Model m =
-      scenes::one_pair(c.material, c.parts, {0, 0, 0}, {edge, edge, edge}, dt, smallest, largest);
+  Model m = scenes::one_pair(c.material, c.parts, {0, 0, 0}, {edge, edge, edge}, dt, smallest, largest);
   m.body_force.gravity = {};
   for (bool& periodic : m.domain.periodic) periodic = true;
   std::mt19937_64 random(1);
@@ -114,12 +113,12 @@ void gas(Findings& f, Effort effort) {
   const int steps = effort == Effort::quick ? 200000 : 1000000;
   const double dt = c.contact_time() / 100.0, automatic = scenes::automatic_step(c);
   const History fine = energy_of(dt, steps, "dt = t_c/100");
-  const History coarse =
-      energy_of(automatic, static_cast<int>(steps * dt / automatic),
-                fmt::format("automatic dt = t_c/{:.0f}", c.contact_time() / automatic));
+  const History coarse = energy_of(automatic, static_cast<int>(steps * dt / automatic),
+                                   fmt::format("automatic dt = t_c/{:.0f}", c.contact_time() / automatic));
   Row& row = f.compare(
-      fmt::format("largest deviation of the energy in {} steps of t_c/100, relative (elastic share up to {:.1f} %)",
-                  steps, 100.0 * fine.share),
+      fmt::format(
+          "largest deviation of the energy in {} steps of t_c/100, relative (elastic share up to {:.1f} %)",
+          steps, 100.0 * fine.share),
       "conservation of energy", 0.0, fine.drift, Compare::bound, 1e-4);
   row.automatic = coarse.drift;
   f.figure({"gas-energy",
