@@ -15,6 +15,11 @@ const std::vector<Chapter>& chapters() {
        "the "
        "contacts, summed from the positions by code of its own, stay what they were.",
        gas},
+      {"three_spheres", "Friction at large size ratios",
+       "A small sphere on the saddle between two large ones leaves or stays as statics says, up to a size "
+       "ratio of 100; "
+       "an integration that takes velocity and contact plane half a step apart fails the same test.",
+       three_spheres},
   };
   return all;
 }

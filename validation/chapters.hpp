@@ -21,5 +21,6 @@ const std::vector<Chapter>& chapters();
 
 void gas(Findings&, Effort);
 void jkr(Findings&, Effort);
+void three_spheres(Findings&, Effort);
 
 }  // namespace pulvis::validation
