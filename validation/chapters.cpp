@@ -15,6 +15,11 @@ const std::vector<Chapter>& chapters() {
        "the "
        "contacts, summed from the positions by code of its own, stay what they were.",
        gas},
+      {"rolling", "Rolling resistance",
+       "The tests of Ai et al. (2011): which rolling friction holds a sphere on a slope, how far a sphere "
+       "pushed "
+       "without spin goes, and whether a heap comes to rest.",
+       rolling},
       {"three_spheres", "Friction at large size ratios",
        "A small sphere on the saddle between two large ones leaves or stays as statics says, up to a size "
        "ratio of 100; "

@@ -21,6 +21,7 @@ const std::vector<Chapter>& chapters();
 
 void gas(Findings&, Effort);
 void jkr(Findings&, Effort);
+void rolling(Findings&, Effort);
 void three_spheres(Findings&, Effort);
 
 }  // namespace pulvis::validation

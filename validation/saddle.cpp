@@ -48,7 +48,8 @@ bool push(Mover& s, const Vec3& middle, const Saddle& saddle, Plane plane, doubl
     const double arm = Saddle::radius - 0.5 * overlap;
     const Vec3 velocity = s.velocity + cross(s.spin, arm * m);
     const double closing = dot(velocity, m);
-    spring = across(turned(across(spring, m), m, 0.5 * dot(s.spin, m) * dt) + dt * (velocity - closing * m), n);
+    spring =
+        across(turned(across(spring, m), m, 0.5 * dot(s.spin, m) * dt) + dt * (velocity - closing * m), n);
     const double push = Saddle::stiffness * overlap, limit = saddle.friction * push;
     const double pull = Saddle::tangential * Saddle::stiffness * norm(spring);
     if (pull > limit) spring = (limit / pull) * spring;

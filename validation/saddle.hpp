@@ -30,9 +30,9 @@
 namespace pulvis::validation {
 
 struct Saddle {
-  static constexpr double radius = 0.25e-3;   ///< r, m
-  static constexpr double density = 2500.0;   ///< kg/m^3
-  static constexpr double stiffness = 1e4;    ///< N/m, normal
+  static constexpr double radius = 0.25e-3;     ///< r, m
+  static constexpr double density = 2500.0;     ///< kg/m^3
+  static constexpr double stiffness = 1e4;      ///< N/m, normal
   static constexpr double tangential = 0.8235;  ///< of the normal stiffness
   static constexpr double restitution = 0.5, gravity = 9.81;
 
@@ -47,7 +47,7 @@ struct Saddle {
   double overlap() const;                          ///< m, that carries (3) at release
   double least_friction() const;                   ///< (4)
   double least_rolling_friction() const;           ///< (5)
-  double rolling_speed(double phi) const;  ///< (6), m/s
+  double rolling_speed(double phi) const;          ///< (6), m/s
 };
 
 /// At which instant the contact plane is taken in which sliding is measured.

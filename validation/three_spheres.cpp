@@ -21,9 +21,7 @@ constexpr double published_step = 1e-6;  // s
 constexpr double longest = 1.0;          // s, until a sphere counts as held
 
 /// Two small spheres that meet, s: the shortest contact time of all ratios.
-double contact_time() {
-  return 180.0 * degree * std::sqrt(0.5 * Saddle{}.mass() / Saddle::stiffness);
-}
+double contact_time() { return 180.0 * degree * std::sqrt(0.5 * Saddle{}.mass() / Saddle::stiffness); }
 
 /// The scene in the engine. It has no spheres that cannot move, so the two large ones are put to rest after each step:
 /// with no load and no velocity they stay where they are, to the last bit.
@@ -49,9 +47,11 @@ class SaddleScene {
     const double large = saddle.large(), reach = large + Saddle::radius - saddle.overlap();
     const double height = std::sqrt(reach * reach - large * large);
     const Vec3 place = height * Vec3{0, std::sin(saddle.start), std::cos(saddle.start)};
-    return Simulation(m, scenes::state_of(m, {scenes::parcel(0, place, Saddle::radius, Saddle::density),
-                                              scenes::parcel(1, {-large, 0, 0}, large, Saddle::density),
-                                              scenes::parcel(2, {large, 0, 0}, large, Saddle::density)}), 1);
+    return Simulation(m,
+                      scenes::state_of(m, {scenes::parcel(0, place, Saddle::radius, Saddle::density),
+                                           scenes::parcel(1, {-large, 0, 0}, large, Saddle::density),
+                                           scenes::parcel(2, {large, 0, 0}, large, Saddle::density)}),
+                      1);
   }
   static Model model(const Saddle& saddle, double rolling_friction, double dt) {
     laws::MaterialPair pair;
@@ -84,8 +84,8 @@ class SaddleScene {
 
 /// How a sphere goes that nothing keeps from rolling.
 struct Departure {
-  double speed = never;   // m/s, along the circle, where it passes 30 degrees
-  double angle = never;   // rad, where it has left both others
+  double speed = never;           // m/s, along the circle, where it passes 30 degrees
+  double angle = never;           // rad, where it has left both others
   Curve path{"", {}, {}, false};  // degrees over s
 };
 
@@ -145,24 +145,28 @@ double rolling_friction_shown(const Saddle& saddle, double dt) {
 
 void departs(Findings& f, const Saddle& saddle, double dt, double automatic, Figure& figure) {
   const Departure fine = departure(saddle, dt), coarse = departure(saddle, automatic);
-  Row& speed = f.compare(fmt::format("size ratio {:g}: speed at 30 degrees of a sphere that may roll, m/s", saddle.ratio),
-                         energy, saddle.rolling_speed(30.0 * degree), fine.speed, Compare::relative, 1e-2);
+  Row& speed = f.compare(
+      fmt::format("size ratio {:g}: speed at 30 degrees of a sphere that may roll, m/s", saddle.ratio),
+      energy, saddle.rolling_speed(30.0 * degree), fine.speed, Compare::relative, 1e-2);
   speed.automatic = coarse.speed;
   const double expected = leaving_angle(saddle, Plane::middle, published_step, longest);
-  Row& leaves = f.compare(fmt::format("size ratio {:g}: angle at which it leaves, as it must, degrees", saddle.ratio),
-                          "own integration with a synchronised update", expected / degree, fine.angle / degree,
-                          Compare::relative, 1e-2);
+  Row& leaves =
+      f.compare(fmt::format("size ratio {:g}: angle at which it leaves, as it must, degrees", saddle.ratio),
+                "own integration with a synchronised update", expected / degree, fine.angle / degree,
+                Compare::relative, 1e-2);
   leaves.automatic = coarse.angle / degree;
   figure.curves.push_back(fine.path);
   figure.curves.back().label = fmt::format("size ratio {:g}", saddle.ratio);
 }
 
 void holds(Findings& f, const Saddle& saddle, double dt, double automatic) {
-  Row& slides = f.compare(fmt::format("size ratio {:g}: friction that holds it at 20 degrees if it cannot roll", saddle.ratio),
-                          statics, saddle.least_friction(), friction_shown(saddle, dt), Compare::relative, 1e-2);
+  Row& slides = f.compare(
+      fmt::format("size ratio {:g}: friction that holds it at 20 degrees if it cannot roll", saddle.ratio),
+      statics, saddle.least_friction(), friction_shown(saddle, dt), Compare::relative, 1e-2);
   slides.automatic = friction_shown(saddle, automatic);
-  Row& rolls = f.compare(fmt::format("size ratio {:g}: rolling friction that holds it at 20 degrees", saddle.ratio), statics,
-                         saddle.least_rolling_friction(), rolling_friction_shown(saddle, dt), Compare::relative, 1e-2);
+  Row& rolls = f.compare(
+      fmt::format("size ratio {:g}: rolling friction that holds it at 20 degrees", saddle.ratio), statics,
+      saddle.least_rolling_friction(), rolling_friction_shown(saddle, dt), Compare::relative, 1e-2);
   rolls.automatic = rolling_friction_shown(saddle, automatic);
 }
 
@@ -179,8 +183,11 @@ void unsynchronised(Findings& f) {
 void three_spheres(Findings& f, Effort effort) {
   const double dt = effort == Effort::quick ? published_step : contact_time() / 1000.0;
   const double automatic = scenes::standard_step_fraction * contact_time();
-  Figure figure{"three-spheres-departure", "A sphere rolls off the saddle between two large ones", "time (s)",
-                "angle from the top (degrees)", {}};
+  Figure figure{"three-spheres-departure",
+                "A sphere rolls off the saddle between two large ones",
+                "time (s)",
+                "angle from the top (degrees)",
+                {}};
   for (const double ratio : {1.0, 3.0, 10.0, 100.0}) {
     departs(f, {ratio, 0.5, 1.0 * degree}, dt, automatic, figure);
     holds(f, {ratio, 0.5, 20.0 * degree}, dt, automatic);
