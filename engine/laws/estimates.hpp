@@ -7,7 +7,7 @@
 namespace pulvis::laws {
 
 /// E*, Pa:  1/E* = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2.
-/// Source  K. L. Johnson, Contact Mechanics (1985), doi:10.1017/CBO9781139171731, eq. 4.20 (there 1/E*).
+/// Source  K. L. Johnson, Contact Mechanics (1985), doi:10.1017/CBO9781139171731, section 4.2.
 inline double effective_modulus(double e1, double nu1, double e2, double nu2) {
   return 1.0 / ((1.0 - nu1 * nu1) / e1 + (1.0 - nu2 * nu2) / e2);
 }
@@ -32,8 +32,8 @@ inline double hertz_contact_time(double mass, double radius, double modulus, dou
   return 2.8683 * power(mass * mass / (radius * modulus * modulus * speed), 0.2);
 }
 
-/// Largest overlap of an elastic Hertz impact, m:  (15 m* v^2/(16 E* sqrt(R*)))^(2/5).  Johnson (1985),
-/// eq. 11.23.
+/// Largest overlap of an elastic Hertz impact, m:  (15 m* v^2/(16 E* sqrt(R*)))^(2/5), where the work of Hertz's
+/// force has used up m* v^2/2.  Johnson (1985), section 11.4.
 inline double hertz_largest_overlap(double mass, double radius, double modulus, double speed) {
   const double ratio = 15.0 * mass * speed * speed / (16.0 * modulus * root(radius));
   return ratio > 0.0 ? power(ratio, 0.4) : 0.0;
@@ -79,13 +79,14 @@ inline double jkr_stiffness_at_touch(double radius, double modulus, double work)
 }
 
 /// Energy lost by one touch and separation, J:  W_s = 7.0922 (W^5 R*^4/E*^2)^(1/3).
-/// Source  C. Thornton, Z. Ning, Powder Technol. 99 (1998) 154-162, doi:10.1016/S0032-5910(98)00099-0.
+/// Source  C. Thornton, Z. Ning, Powder Technol. 99 (1998) 154-162, doi:10.1016/S0032-5910(98)00099-0, eq. 52
+///         (there 7.09).
 inline double jkr_separation_work(double radius, double modulus, double work) {
   const double w2 = work * work, r2 = radius * radius;
   return 7.0922 * work * cube_root(w2 * r2 * r2 / (modulus * modulus));
 }
 
-/// Speed below which an elastic JKR collision sticks, m/s: m* v_s^2/2 = W_s.
+/// Speed below which an elastic JKR collision sticks, m/s: m* v_s^2/2 = W_s (Thornton and Ning, eq. 54).
 inline double jkr_sticking_speed(double mass, double radius, double modulus, double work) {
   return root(2.0 * jkr_separation_work(radius, modulus, work) / mass);
 }

@@ -12,8 +12,8 @@
 namespace pulvis::validation {
 
 /// JKR's contact radius for an overlap: the larger root of  delta = a^2/R - sqrt(2 pi W a/E), by bisection
-/// (Johnson, Kendall, Roberts, Proc. R. Soc. A 324 (1971) 301; in this form Thornton and Ning, Powder
-/// Technol. 99 (1998) 154). Below the stretch at rupture it stays at the radius of rupture.
+/// (Johnson, Kendall, Roberts, Proc. R. Soc. A 324 (1971) 301; in this form from Johnson, Contact Mechanics
+/// (1985), section 5.5). Below the stretch at rupture it stays at the radius of rupture.
 inline Quad jkr_radius(Quad overlap, Quad radius, Quad modulus, Quad work) {
   const Quad pi = quad_pi();
   const auto overlap_of = [&](Quad a) { return a * a / radius - quad_root(2 * pi * work * a / modulus); };
@@ -75,7 +75,7 @@ inline void reference_linear(ReferenceNormal& n, Quad spring, const laws::Materi
   n.tangential = m.tangential_ratio;
 }
 
-/// Luding (2008), eq. 5 to 8.
+/// Luding (2008), eq. 6 to 8.
 inline void reference_luding(ReferenceNormal& n, const laws::Touch& t, const laws::Past& old,
                              const laws::MaterialPair& m, const laws::Choices& choices) {
   const Quad k1 = reference_spring(t, m), kp = k1 * static_cast<Quad>(m.plastic_ratio),
@@ -102,7 +102,7 @@ inline void reference_luding(ReferenceNormal& n, const laws::Touch& t, const law
   n.limit_shift = choices.cohesion_limit == laws::CohesionLimit::with ? Quad{0} : kc * delta;
 }
 
-/// Thakur et al. (2014): branches in delta^n.
+/// Thakur et al. (2014), eq. 5: branches in delta^n; the pull from W as in LIGGGHTS-PUBLIC's edinburgh.
 inline void reference_edinburgh(ReferenceNormal& n, const laws::Touch& t, const laws::Past& old,
                                 const laws::MaterialPair& m, const laws::Choices& choices) {
   const Quad delta = t.overlap, radius = t.radius, modulus = m.effective_modulus;

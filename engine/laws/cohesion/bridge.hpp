@@ -10,14 +10,21 @@
 //   V = least of (4/3) pi content (R_i^3 + R_j^3) and 0.1 R^3      [m^3]  (2)
 //   h_r = (1 + theta/2) (V^(1/3) + 0.1 V^(2/3)/R)                  [m]    (3)
 //   F_v = 6 pi eta R* v_n/q, q = greatest of floor and h/R*        [N]    (4)
-//   T_v = 6 pi eta R* v_t (8/15 ln(1/q) + 0.9588)                  [N]    (5)
+//   T_v = 6 pi eta R* v_t (8/15 ln(1/q) + 0.9588), at least 0      [N]    (5)
 //
 // (1) is the radius of equal spheres that Derjaguin's approximation puts in the place of unequal ones; at a wall
 // it is twice the parcel's. (2): each bridge takes the share `content` of the volume of both bodies (at a wall
 // of the parcel), however many neighbours there are; the fits end at V = 0.1 R^3, and a small grain at a large
 // one cannot hold more. (3) C. D. Willett et al., Langmuir 16 (2000) 9396-9405, doi:10.1021/la000657y, eq. 15.
-// (4) and (5) S. T. Nase et al., Powder Technol. 116 (2001) 214-223, doi:10.1016/S0032-5910(00)00398-3; q is
-// the gap over R*, and its floor stands for roughness: about 0.01. With overlap the gap counts as zero.
+// (4) and (5) S. T. Nase et al., Powder Technol. 116 (2001) 214-223, doi:10.1016/S0032-5910(00)00398-3, as
+// quoted by D. Shi, J. J. McCarthy, Powder Technol. 184 (2008) 64-75, eq. 40 and 41; (5) is the drag of a sphere
+// that slides along a plane without turning, with R* in the place of its radius. Both oppose the motion and
+// dissipate. q is the gap over R*, and its floor stands for roughness: about 0.01. With overlap the gap counts as
+// zero.
+//
+// What the laws say of their accuracy is against our solution of the Young-Laplace equation for equal spheres,
+// at gaps of 1 to 80 % of h_r. (3) itself is within 4 % of the gap at which that solution ends, for V/R^3 of
+// 0.001 to 0.1 and theta up to 40 degrees (at theta = 0 within 0.5 %).
 namespace pulvis::laws::cohesion {
 
 struct BridgePair {

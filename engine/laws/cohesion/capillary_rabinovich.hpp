@@ -13,12 +13,14 @@ namespace pulvis::laws::cohesion {
 /// Volume, formation, rupture and viscous part: cohesion/bridge.hpp.
 ///
 /// Source     Y. I. Rabinovich, M. S. Esayanur, B. M. Moudgil, Langmuir 21 (2005) 10992-10997,
-///            doi:10.1021/la0517639, eq. 19 and 20, the sine term after O. Pitois, P. Moucheront, X. Chateau,
-///            J. Colloid Interface Sci. 231 (2000) 26-31, doi:10.1006/jcis.2000.7096.
+///            doi:10.1021/la0517639: (1) eq. 19, (2) eq. 20, (3) eq. A3. P. Lambert et al., Langmuir 24 (2008)
+///            3157-3163, leave the sine term out.
 /// Symbols    sigma surface tension, theta contact angle (rad), h gap, V volume of the bridge.
-/// Valid      small bridges; for V/R^3 = 0.001 to 0.03 up to 36 % above the Young-Laplace equation. With R the
-///            contact value of equal spheres is 2 pi R_i sigma cos(theta); codes that put R* in the place of R
-///            give half of it.
+/// Valid      small bridges and contact angles: from 18 % below to 50 % above the Young-Laplace equation for
+///            V/R^3 = 0.001 to 0.03 and theta up to 20 degrees, up to 110 % above at 50 degrees:
+///            capillary_willett is the better choice. With R = 2 R* (YADE) the first term is
+///            2 pi R_i sigma cos(theta) for equal spheres in contact; LIGGGHTS-PUBLIC's "washino" puts R* in the
+///            place of R and gets half of it.
 /// Touch      forms when the solids touch (default) or at the rupture distance on approach.
 /// Separation at the rupture distance h_r, where the force is small but not zero.
 /// Energy     each bridge that forms on touch and breaks at h_r takes the integral of F from 0 to h_r.

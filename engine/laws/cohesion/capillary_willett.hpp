@@ -13,10 +13,11 @@ namespace pulvis::laws::cohesion {
 /// viscous part: cohesion/bridge.hpp.
 ///
 /// Source     C. D. Willett, M. J. Adams, S. A. Johnson, J. P. K. Seville, Langmuir 16 (2000) 9396-9405,
-///            doi:10.1021/la000657y, appendix.
+///            doi:10.1021/la000657y, the polynomials at its end.
 /// Symbols    sigma surface tension, theta contact angle (rad), h gap, V volume of the bridge.
-/// Valid      V/R^3 from 0.001 to 0.1, theta up to 50 degrees; there within 2 % of the Young-Laplace equation.
-///            No weight of the liquid. A wall counts as a sphere of R = 2 R_i (Derjaguin).
+/// Valid      V/R^3 from 0.001 to 0.1: within 3 % of the Young-Laplace equation for theta up to 40 degrees,
+///            within 6 % at 50; at V/R^3 = 1e-4 within 4 and 6 %. No weight of the liquid. A wall counts as a
+///            sphere of R = 2 R_i (Derjaguin).
 /// Touch      forms when the solids touch (default) or at the rupture distance on approach.
 /// Separation at the rupture distance h_r, where the force is small but not zero.
 /// Energy     each bridge that forms on touch and breaks at h_r takes the integral of F from 0 to h_r.

@@ -12,11 +12,12 @@ namespace pulvis::laws::cohesion {
 /// Volume, formation, rupture and viscous part: cohesion/bridge.hpp.
 ///
 /// Source     C. D. Willett, M. J. Adams, S. A. Johnson, J. P. K. Seville, Langmuir 16 (2000) 9396-9405,
-///            doi:10.1021/la000657y, eq. 12 (there 1 + 1.05 (2 S) + 2.5 (2 S)^2).
+///            doi:10.1021/la000657y, eq. 12. Codes that take the whole gap, s = 2 S, write 1 + 1.05 s + 2.5 s^2.
 /// Symbols    sigma surface tension, theta contact angle (rad), h gap, V volume of the bridge.
-/// Valid      small bridges, V/R^3 below 0.01; for 0.001 to 0.03 it lies 15 % above the Young-Laplace equation
-///            near contact and 25 % below near rupture. A wall counts as a sphere of R = 2 R_i (Derjaguin;
-///            some codes take R_i and get half the force).
+/// Valid      small bridges. For V/R^3 = 0.001 to 0.03 and theta up to 20 degrees it lies 7 to 20 % above the
+///            Young-Laplace equation near contact and 17 to 30 % below it near rupture (at 50 degrees up to 36 %
+///            above and 56 % below). A wall counts as a sphere of R = 2 R_i (Derjaguin; YADE takes R_i and gets
+///            half the force).
 /// Touch      forms when the solids touch (default) or at the rupture distance on approach.
 /// Separation at the rupture distance h_r, where the force is small but not zero.
 /// Energy     each bridge that forms on touch and breaks at h_r takes the integral of F from 0 to h_r.

@@ -9,10 +9,10 @@ namespace pulvis::laws::cohesion {
 ///   F_c = 2 pi W R* = F_po      [N]
 ///
 /// Source     B. V. Derjaguin, V. M. Muller, Yu. P. Toporov, J. Colloid Interface Sci. 53 (1975) 314-326,
-///            doi:10.1016/0021-9797(75)90018-1.
+///            doi:10.1016/0021-9797(75)90018-1, eq. 41.
 /// Symbols    W work of adhesion of the pair, R* reduced radius.
 /// Valid      on Hertz, Tabor number (R* W^2/(E*^2 z0^3))^(1/3) below about 0.1 (hard, small, little sticky).
-///            Softened parcels usually leave this range: then JKR.
+///            Softened parcels usually leave this range: then JKR. The attraction across a gap is left out.
 /// Touch      at delta = 0, where the force jumps from 0 to -F_po.
 /// Separation at delta = 0, where it jumps back.
 /// Energy     F_po delta: the attraction itself is conservative.

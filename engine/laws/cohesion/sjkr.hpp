@@ -13,15 +13,16 @@ namespace pulvis::laws::cohesion {
 /// r is the distance of the centres (wall: of the centre from it). With q = 1/(R_i R_j), zero at a wall, both are
 ///   A = (pi/4) delta (4 - 2 delta/R* + delta^2 q)(2/R* - delta q)/(1/R* - delta q)^2       (4)
 ///
-/// Source     the LIGGGHTS family's "cohesion sjkr"; (4) is our rearrangement of the circle in which two spheres
-///            cut each other.
+/// Source     no paper: "cohesion sjkr" of LIGGGHTS-PUBLIC 3.8.0 and LIGGGHTS-PFM (the sign of (2) as in their
+///            source). (4) is our rearrangement of the circle in which two spheres cut each other.
 /// Symbols    k_c cohesion energy density of the pair, J/m^3.
 /// Valid      a model of its own, not JKR: no pull-off force without load, no memory. On Hooke the contact
 ///            collapses if 2 pi k_c R* exceeds k_n. On Hertz the overlap without force is (1.5 pi k_c/E*)^2 R*:
 ///            keep k_c below 0.02 E*. k_c must be calibrated anew if E* changes, as k_c ~ E*^(2/3).
 /// Touch      at delta = 0 with zero force. Separation at delta = 0.
 /// Energy     conservative.
-/// Friction   limited by the force without the attraction; some codes take the force with it ("with").
+/// Friction   limited by the force without the attraction, as in LIGGGHTS-PUBLIC unless tangential_reduce is
+///            on; LIGGGHTS-PFM takes the force with it ("with").
 /// Tests      tests/laws/cohesion_test.cpp.
 struct Sjkr {
   static constexpr const char* name = "sjkr";

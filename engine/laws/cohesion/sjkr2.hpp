@@ -12,13 +12,13 @@ namespace pulvis::laws::cohesion {
 ///   sjkr2_twice_reduced_radius:  A = 2 pi delta (2 R*)         [m^2]  (LIGGGHTS-PUBLIC)
 ///   wall, both:                  A = 2 pi delta R_i            [m^2]
 ///
-/// Source     the LIGGGHTS family's "cohesion sjkr2".
+/// Source     no paper: "cohesion sjkr2" of LIGGGHTS-PUBLIC 3.8.0 and of LIGGGHTS-PFM, January 2024.
 /// Symbols    k_c cohesion energy density of the pair, J/m^3.
 /// Valid      as sjkr; with f = 1 or 2 for the two areas, on Hertz the overlap without force is
 ///            (1.5 pi f k_c/E*)^2 R* and the strongest pull (2/3) pi^3 (f k_c)^3 R*^2/E*^2 at 4/9 of it.
 /// Touch      at delta = 0 with zero force. Separation at delta = 0.
 /// Energy     conservative: k_c A delta/2.
-/// Friction   limited by the force without the attraction; some codes take the force with it ("with").
+/// Friction   as sjkr.
 /// Tests      tests/laws/cohesion_test.cpp.
 struct Sjkr2ReducedRadius {
   static constexpr const char* name = "sjkr2_reduced_radius";

@@ -18,9 +18,12 @@ namespace pulvis::laws::damping {
 ///
 /// Source     Y. Tsuji, T. Tanaka, T. Ishida, Powder Technol. 71 (1992) 239-250,
 ///            doi:10.1016/0032-5910(92)88030-L (the form of the dashpot); (1) and (2) in closed form:
-///            D. Antypov, J. A. Elliott, EPL 94 (2011) 50004, doi:10.1209/0295-5075/94/50004, eq. 17-18.
-/// Valid      0 < e <= 1. With Hertz and with Hooke e is returned exactly if nothing clips the force; with adhesion the
-///            collision loses more (see the law's energy).
+///            D. Antypov, J. A. Elliott, EPL 94 (2011) 50004, doi:10.1209/0295-5075/94/50004, eq. 10 and 17
+///            (there alpha = -sqrt(5) beta on the secant stiffness); the tangential one as in the LIGGGHTS family.
+/// Valid      0 < e <= 1. With Hertz and with Hooke e is returned exactly if nothing clips the force; with
+///            adhesion the collision loses more (see the law's energy).
+/// Touch      Hertz: the dashpot grows from zero with delta^(1/4); linear laws: it sets in at once, the force
+///            jumps by c v_n. Separation: shortly before it the dashpot outweighs the spring: the contact pulls.
 /// Energy     dissipative.
 /// Tests      tests/verification/impact_test.cpp.
 struct Restitution {

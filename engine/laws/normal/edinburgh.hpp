@@ -20,15 +20,21 @@ namespace pulvis::laws::normal {
 /// adhesion_exponent).
 ///
 /// Source     S. C. Thakur, J. P. Morrissey, J. Sun, J. F. Chen, J. Y. Ooi, Granul. Matter 16 (2014) 383-400,
-///            doi:10.1007/s10035-014-0506-4, eq. 1 to 6. The radius in (6) is that of the circle in which two
-///            spheres with overlap delta_p cut each other, for delta_p << R*; (6) limits the pull so that (3) meets
-///            (2), also for n = 3/2.
-/// Symbols    kappa unloading_ratio, W work of adhesion, f_0 constant pull (negative) while in contact.
+///            doi:10.1007/s10035-014-0506-4: (1) to (3) with chi = n are eq. 5, (5) eq. 16, the friction limit
+///            eq. 13; there k_1 and k_a are given and n = 1. The model comes from J. P. Morrissey's thesis
+///            (University of Edinburgh 2013, hdl:1842/8270). (4) and (6) to (8) as in LIGGGHTS-PUBLIC's
+///            "edinburgh", with these differences: the radius in (6) is that of the circle in which two spheres
+///            with overlap delta_p cut each other, for delta_p << R*; (7) holds at the limit of (6) as well, so
+///            that (3) meets (2) also for n = 3/2 (LIGGGHTS: delta_a = delta_p/2); the friction limit has
+///            delta^chi (LIGGGHTS: delta).
+/// Symbols    kappa unloading_ratio, W work of adhesion ("surface energy" of the model), f_0 constant pull
+///            (negative) while in contact.
 /// Valid      a model of cohesive grains that yield; kappa and W are calibrated.
 /// Touch      at delta = 0 with force f_0. Separation at delta = 0: the memory is lost.
 /// Energy     each loading loses the area between (1), (2) and (3).
 /// Friction   limited by |F - f_0 + k_a delta^chi|, the force above the adhesive branch.
-/// Damping    as Hertz at the same overlap (n = 3/2), or a linear spring of 2 E* R* (n = 1).
+/// Damping    as Hertz at the same overlap (n = 3/2), or a linear spring k_1 (n = 1, eq. 7 of the paper; with
+///            n = 3/2 that formula would not be in kg/s).
 /// Tests      tests/laws/elasto_plastic_test.cpp.
 struct Edinburgh {
   static constexpr const char* name = "edinburgh";

@@ -9,7 +9,7 @@ namespace pulvis::laws::normal {
 ///   a   = sqrt(R* delta)                 [m]   (1)
 ///   F_n = (4/3) E* sqrt(R*) delta^(3/2)  [N]   (2)
 ///
-/// Source     H. Hertz, J. reine angew. Math. 92 (1881) 156-171, doi:10.1515/crll.1882.92.156; in the form
+/// Source     H. Hertz, J. reine angew. Math. 92 (1882) 156-171, doi:10.1515/crll.1882.92.156; in the form
 ///            of K. L. Johnson, Contact Mechanics (1985), doi:10.1017/CBO9781139171731, eq. 4.22 and 4.23.
 /// Symbols    R* reduced radius, E* effective modulus, delta overlap.
 /// Valid      a << R*, elastic, smooth; in practice delta below a few per cent of R*.

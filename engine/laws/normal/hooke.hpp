@@ -16,7 +16,8 @@ namespace pulvis::laws::normal {
 /// (2) makes k_n delta_max^2 = m* V^2, so that the largest overlap of an impact at V is that of Hertz.
 ///
 /// Source     P. A. Cundall, O. D. L. Strack, Geotechnique 29 (1979) 47-65, doi:10.1680/geot.1979.29.1.47;
-///            (2) follows from K. L. Johnson, Contact Mechanics (1985), doi:10.1017/CBO9781139171731, eq. 11.23.
+///            (2) as in the LIGGGHTS family and Lethe; it follows from the largest overlap of an elastic impact,
+///            K. L. Johnson, Contact Mechanics (1985), doi:10.1017/CBO9781139171731, section 11.4.
 /// Symbols    R* reduced radius, m* reduced mass, E* effective modulus, delta overlap.
 /// Valid      impacts near the speed V; a given k_n is the same for all sizes. Stiffness at rest has no physical
 ///            meaning of its own: keep overlaps small.

@@ -23,9 +23,10 @@ namespace pulvis::laws::normal {
 /// t = s/sqrt(6 + 1.05 s) needs four steps: relative error of t below 1e-14 for any overlap.
 ///
 /// Source     K. L. Johnson, K. Kendall, A. D. Roberts, Proc. R. Soc. Lond. A 324 (1971) 301-313,
-///            doi:10.1098/rspa.1971.0141, eq. 22-24; equation (2) as in C. Thornton, Z. Ning, Powder
-///            Technol. 99 (1998) 154-162, doi:10.1016/S0032-5910(98)00099-0. W is the work of adhesion of the
-///            pair (= 2 gamma for equal surfaces), not gamma.
+///            doi:10.1098/rspa.1971.0141; (1) and (2) follow from K. L. Johnson, Contact Mechanics (1985),
+///            doi:10.1017/CBO9781139171731, section 5.5; (3), (4) and W_s are eq. 50, 49 and 52 of C. Thornton,
+///            Z. Ning, Powder Technol. 99 (1998) 154-162, doi:10.1016/S0032-5910(98)00099-0. W is the work of
+///            adhesion of the pair; codes that take gamma of one surface (LAMMPS) write F_po = 3 pi gamma R*.
 /// Valid      Tabor number (R* W^2/(E*^2 z0^3))^(1/3) above about 1 (soft, large or sticky); a << R*.
 /// Touch      at delta = 0, where the force jumps from 0 to -(8/9) F_po: nothing acts on approach before.
 /// Separation at delta = -delta_c, where the force jumps from -(5/9) F_po to 0. On the way it passes -F_po.

@@ -16,14 +16,15 @@ namespace pulvis::laws::normal {
 /// delta_m is the largest overlap so far, at most delta_l: a deeper contact is elastic with k_p. (6) puts (2)
 /// through the present point, so that a contact loaded again from the adhesive line follows (2) from there.
 ///
-/// Source     S. Luding, Granul. Matter 10 (2008) 235-246, doi:10.1007/s10035-008-0099-x, eq. 5 to 8; (6) is the
-///            exact root of (2) = (3) with (4).
+/// Source     S. Luding, Granul. Matter 10 (2008) 235-246, doi:10.1007/s10035-008-0099-x: (1) to (3) eq. 6, (5)
+///            eq. 7, (4) eq. 8; (6) is the exact root of (2) = (3) with (4). LIGGGHTS-PUBLIC's "luding" takes
+///            (k_2 + k_c)/(k_2 - k_1) delta with the k_2 of the step before in its place.
 /// Symbols    k_1 as k_n of hooke, k_p = plastic_ratio k_1, k_c = adhesion_ratio k_1, phi_F plasticity depth.
 /// Valid      a model of powder grains that yield; stiffnesses are calibrated, not measured.
 /// Touch      at delta = 0 with zero force, delta_m = 0. Separation at delta = 0: delta_m is forgotten.
 ///            Strongest pull k_c delta at delta = (k_2 - k_1)/(k_2 + k_c) delta_m.
 /// Energy     each loading to delta_m loses the triangle between (1), (2) and (3).
-/// Friction   limited by |F + k_c delta|, the force above the adhesive line.
+/// Friction   limited by |F + k_c delta|, the force above the adhesive line, as in the paper.
 /// Tangential k_t = tangential_ratio k_1, the same for the dashpots.
 /// Tests      tests/laws/elasto_plastic_test.cpp.
 struct Luding {

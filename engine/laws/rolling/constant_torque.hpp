@@ -10,12 +10,13 @@ namespace pulvis::laws::rolling {
 ///
 /// omega_r is the relative spin without its part along the normal.
 ///
-/// Source     Y. C. Zhou et al., Physica A 269 (1999) 536-553, doi:10.1016/S0378-4371(99)00183-1;
+/// Source     Y. C. Zhou et al., Physica A 269 (1999) 536-553, doi:10.1016/S0378-4371(99)00183-1 (with a length
+///            in the place of mu_r R*);
 ///            J. Ai et al., Powder Technol. 206 (2011) 269-282, doi:10.1016/j.powtec.2010.09.030 (type A).
 /// Symbols    N the limiting normal force (see ContactLaw); with the default limit the elastic force, as in the
 ///            LIGGGHTS family (there k_n delta).
 /// Valid      steady rolling. At rest the direction flips from step to step: kinetic energy never dies out.
-/// Touch      no memory. Without spin the torque is zero.
+/// Touch      no memory, nothing to forget at separation. Without spin the torque is zero.
 /// Energy     dissipative but for the flipping.
 /// Tests      tests/laws/rolling_test.cpp.
 struct ConstantTorque {

@@ -15,7 +15,8 @@ namespace pulvis::laws::rolling {
 /// 1/I_r = 1/(1.4 m_i R_i^2) + 1/(1.4 m_j R_j^2); a wall counts as infinitely heavy.
 ///
 /// Source     J. Ai et al., Powder Technol. 206 (2011) 269-282, doi:10.1016/j.powtec.2010.09.030 (type C);
-///            the factor 2.25 for spheres and f = 0 at the limit as in the LIGGGHTS family's epsd.
+///            the factor 2.25 for spheres, I_r and f = 0 at the limit as in the LIGGGHTS family's epsd, whose
+///            documentation quotes 2.25 from there.
 /// Symbols    N the limiting normal force (see ContactLaw), eta_r rolling viscosity.
 /// Valid      as elastic_plastic; eta_r damps small rocking about rest.
 /// Touch      T_k = 0. Separation: T_k is forgotten.

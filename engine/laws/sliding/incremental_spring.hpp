@@ -8,15 +8,16 @@ namespace pulvis::laws::sliding {
 ///
 ///   F <- carried F - k_t v_t dt                          [N]   (1)
 ///   k_t = 8 G* a (linear laws: a share of k_n)           [N/m] (2)
-///   stick, |F| <= mu N:  F_t = F - c_t v_t                     (3)
-///   slip:  F is reset to length mu N and F_t = F               (4)
+///   stick, |F| <= mu N:  F_t = F - c_t v_t               [N]   (3)
+///   slip:  F is reset to length mu N and F_t = F         [N]   (4)
 ///
 /// "Carried" is carried_along in parts.hpp: projected on the contact planes in the middle and at the end of
 /// the step, and turned by the spin both bodies share about the normal. The dashpot never enters F, so the
 /// result does not depend on the time step.
 ///
 /// Source     P. A. Cundall, O. D. L. Strack, Geotechnique 29 (1979) 47-65, doi:10.1680/geot.1979.29.1.47;
-///            (2) R. D. Mindlin, J. Appl. Mech. 16 (1949) 259-268 (compliance without slip).
+///            (2) R. D. Mindlin, J. Appl. Mech. 16 (1949) 259-268, doi:10.1115/1.4009973 (compliance without
+///            slip).
 /// Symbols    N the limiting normal force (see ContactLaw), mu Coulomb's coefficient, c_t from the damping law.
 /// Valid      as the total spring; an opening contact keeps its force until Coulomb's limit cuts it, which
 ///            can give energy back that was never put in (see rescaled_spring).

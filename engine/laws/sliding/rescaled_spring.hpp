@@ -8,13 +8,15 @@ namespace pulvis::laws::sliding {
 ///
 ///   F <- carried F * min(1, a/a_before) - k_t v_t dt     [N]   (1)
 ///   k_t = 8 G* a (linear laws: a share of k_n)           [N/m] (2)
-///   stick, |F| <= mu N:  F_t = F - c_t v_t                     (3)
-///   slip:  F is reset to length mu N and F_t = F               (4)
+///   stick, |F| <= mu N:  F_t = F - c_t v_t               [N]   (3)
+///   slip:  F is reset to length mu N and F_t = F         [N]   (4)
 ///
 /// a_before is the contact size at the end of the step before. Carried as in incremental_spring.
 ///
 /// Source     C. Thornton, S. J. Cummins, P. W. Cleary, Powder Technol. 233 (2013) 30-46,
-///            doi:10.1016/j.powtec.2012.08.012 (the rescaling on unloading).
+///            doi:10.1016/j.powtec.2012.08.012, eq. 18b (the rescaling on unloading; in LAMMPS
+///            "mindlin_rescale/force"); (2) R. D. Mindlin, J. Appl. Mech. 16 (1949) 259-268,
+///            doi:10.1115/1.4009973.
 /// Symbols    N the limiting normal force (see ContactLaw), mu Coulomb's coefficient, c_t from the damping law.
 /// Valid      no micro-slip. With linear normal laws a is k_n and stays, so this is the incremental spring.
 /// Touch      F = 0. Separation: F is forgotten.

@@ -7,17 +7,18 @@ namespace pulvis::laws::sliding {
 /// Tangential spring in its total-displacement form, with dashpot while it sticks and Coulomb's limit.
 ///
 ///   xi <- carried xi + v_t dt, then xi <- P_n xi  [m]   (1)
-///   k_t = 8 G* a                                   [N/m] (2)
-///   stick, k_t |xi| <= mu N:  F_t = -k_t xi - c_t v_t    (3)
-///   slip:  |xi| is reset to mu N/k_t and F_t = -k_t xi   (4)
+///   k_t = 8 G* a (linear laws: a share of k_n)     [N/m] (2)
+///   stick, k_t |xi| <= mu N:  F_t = -k_t xi - c_t v_t  [N]   (3)
+///   slip:  |xi| is reset to mu N/k_t and F_t = -k_t xi [N]   (4)
 ///
 /// "Carried" projects on the contact plane in the middle of the step and turns with the spin both bodies share
 /// about the normal (carried_to_middle in parts.hpp), P_n projects on the plane at its end, v_t is the mid-step
 /// velocity in the mid-step plane: the spring never mixes two instants (velocities synchronised after
 /// D. R. Vyas et al., Comput. Phys. Commun. 310 (2025) 109524, doi:10.1016/j.cpc.2025.109524).
 ///
-/// Source     (2) R. D. Mindlin, J. Appl. Mech. 16 (1949) 259-268 (compliance without slip); (1), (3), (4) after
-///            P. A. Cundall, O. D. L. Strack, Geotechnique 29 (1979) 47-65, doi:10.1680/geot.1979.29.1.47.
+/// Source     (2) R. D. Mindlin, J. Appl. Mech. 16 (1949) 259-268, doi:10.1115/1.4009973 (compliance without
+///            slip); (1), (3), (4) after P. A. Cundall, O. D. L. Strack, Geotechnique 29 (1979) 47-65,
+///            doi:10.1680/geot.1979.29.1.47.
 /// Symbols    N the limiting normal force (see ContactLaw), mu Coulomb's coefficient, c_t from the damping law.
 /// Valid      no micro-slip: stick is one spring. The spring follows the whole displacement, so F_t changes
 ///            with k_t when the contact opens or closes.

@@ -8,7 +8,8 @@ namespace pulvis::laws::sliding {
 ///
 ///   F_t = -v_t min(c_t, mu N/|v_t|)    [N]
 ///
-/// Source     P. K. Haff, B. T. Werner, Powder Technol. 48 (1986) 239-245, doi:10.1016/0032-5910(86)80048-1.
+/// Source     P. K. Haff, B. T. Werner, Powder Technol. 48 (1986) 239-245, doi:10.1016/0032-5910(86)80048-1 (the
+///            form; c_t is here that of the damping law).
 /// Symbols    N the limiting normal force (see ContactLaw), mu Coulomb's coefficient, c_t from the damping law,
 ///            without which nothing acts.
 /// Valid      flowing powder. Nothing holds at rest: heaps and beds creep.

@@ -10,10 +10,13 @@ namespace pulvis::laws::twisting {
 ///   k_w = k_t R*^2                                  [N m/rad]    (2)
 ///
 /// Source     the rolling spring of K. Iwashita, M. Oda, J. Eng. Mech. 124 (1998) 285-292,
-///            doi:10.1061/(ASCE)0733-9399(1998)124:3(285), put about the normal.
+///            doi:10.1061/(ASCE)0733-9399(1998)124:3(285), put about the normal; (2) is our choice, that of
+///            rolling/elastic_plastic. S. Luding, Granul. Matter 10 (2008) 235-246,
+///            doi:10.1007/s10035-008-0099-x, has such a torsion spring too.
 /// Symbols    N the limiting normal force (see ContactLaw), mu_w coefficient of twisting friction, omega_n part of
 ///            the relative spin along the normal.
-/// Valid      mu_w stands in for the shape of grains; a smooth contact circle of radius a has (2/3) mu a/R*.
+/// Valid      mu_w stands in for the shape of grains; a smooth contact circle of radius a has (3 pi/16) mu a/R*
+///            under Hertz's pressure, (2/3) mu a/R* under an even one.
 /// Touch      T = 0. Separation: T is forgotten.
 /// Energy     T^2/(2 k_w) stored at fixed k_w; the limit dissipates.
 /// Tests      tests/laws/rolling_test.cpp.
