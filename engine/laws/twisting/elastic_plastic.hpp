@@ -23,7 +23,7 @@ namespace pulvis::laws::twisting {
 ///            under Hertz's pressure, (2/3) mu a/R* under an even one.
 /// Touch      T_k = 0. Separation: T_k is forgotten.
 /// Energy     T_k^2/(2 k_w) stored at fixed k_w; limit and dashpot dissipate.
-/// Tests      tests/laws/rolling_test.cpp.
+/// Tests      tests/laws/rolling_test.cpp, tests/laws/parts_test.cpp, validation/rolling_pile.cpp.
 struct ElasticPlastic {
   static constexpr const char* name = "elastic_plastic";
   static constexpr bool acts = true;
