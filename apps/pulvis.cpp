@@ -10,8 +10,10 @@
 #include "apps/templates.hpp"
 #include "case/reader.hpp"
 #include "output/safe_file.hpp"
+#include "run/law_report.hpp"
 #include "run/preflight.hpp"
 #include "run/run_case.hpp"
+#include "run/stop_request.hpp"
 #include "validation/validate.hpp"
 
 namespace {
@@ -21,9 +23,11 @@ using pulvis::Failure;
 
 extern "C" void on_interrupt(int signal) {
   // The first Ctrl-C ends after this step with valid results; a second one ends at once.
-  pulvis::ask_to_stop();
+  pulvis::ask_to_stop(signal);
   std::signal(signal, SIG_DFL);
 }
+
+extern "C" void on_leave(int signal) { pulvis::ask_to_stop(signal); }
 
 std::vector<pulvis::Override> overrides_from(const std::vector<std::string>& settings) {
   std::vector<pulvis::Override> list;
@@ -42,6 +46,20 @@ Exit check(const std::string& file, const std::vector<std::string>& settings) {
   const pulvis::Forecast forecast = pulvis::forecast(c, assembly);
   fmt::print("{}", pulvis::check_report(c, assembly, forecast));
   for (const auto& warning : forecast.warnings) fmt::print(stderr, "warning: {}\n", warning);
+  return Exit::ok;
+}
+
+Exit law(const std::string& file, const std::vector<std::string>& settings,
+         const std::vector<std::string>& pair, const std::vector<std::string>& speeds,
+         const std::string& out) {
+  pulvis::LawRequest request{pair, {}};
+  for (const std::string& speed : speeds) request.speeds.push_back(pulvis::speed_from(speed));
+  const pulvis::Case c = pulvis::read_case(file, overrides_from(settings));
+  const pulvis::Assembly assembly = pulvis::assemble(c);
+  const pulvis::LawReport report = pulvis::law_report(c, assembly, pulvis::forecast(c, assembly), request);
+  if (!out.empty()) pulvis::write_curves(out, report);
+  fmt::print("{}", report.text);
+  for (const auto& warning : report.warnings) fmt::print(stderr, "warning: {}\n", warning);
   return Exit::ok;
 }
 
@@ -72,13 +90,15 @@ int main(int argc, char** argv) {
   app.footer(
       "Exit codes: 0 completed, 2 usage or results folder in use, 3 invalid case, 4 unreadable input, 5 "
       "physics\n"
-      "(not a number, lost parcel), 6 results cannot be written, 7 internal check, 130 Ctrl-C");
+      "(not a number, lost parcel), 6 results cannot be written, 7 internal check, 8 a target was missed,\n"
+      "75 stopped with a checkpoint by SIGTERM, SIGUSR1 or --max-wall, 130 Ctrl-C");
   app.set_version_flag("--version", PULVIS_VERSION);
   app.require_subcommand(1);
 
   pulvis::RunRequest request;
   std::vector<std::string> settings;
-  std::string file, key, name, folder;
+  std::vector<std::string> pair, speeds;
+  std::string file, key, name, folder, out;
 
   auto* run = app.add_subcommand("run", "run a case");
   run->add_option("CASE", request.case_file, "case file (TOML)")->required();
@@ -92,8 +112,16 @@ int main(int argc, char** argv) {
       "'output.interval=1 ms'\n"
       "Leaves result.json, log.csv, picture.png and series for ParaView (parcels.pvd, walls.pvd, "
       "porosity.pvd) in\n"
-      "the folder. Ctrl-C ends the run after the current step with valid results.");
-  run->add_flag("--force", request.force, "replace the results of an earlier run in that folder");
+      "the folder. Ctrl-C ends the run after the current step with valid results; SIGTERM and SIGUSR1 stop "
+      "it\n"
+      "there with a checkpoint. Either way, or after a crash, the same command with --resume goes on to the\n"
+      "same results.");
+  auto* force =
+      run->add_flag("--force", request.force, "replace the results of an earlier run in that folder");
+  run->add_flag("--resume", request.resume, "go on from the newest checkpoint in that folder")
+      ->excludes(force);
+  run->add_option("--max-wall", request.max_wall,
+                  "stop with a checkpoint (exit 75) after this time on the clock, e.g. \"12 h\"");
 
   auto* check_command =
       app.add_subcommand("check", "validate a case and print what follows from it; simulates nothing");
@@ -105,6 +133,28 @@ int main(int argc, char** argv) {
       "parcel that is simulated in its stead.");
   check_command->add_option("CASE", file, "case file (TOML)")->required();
   check_command->add_option("--set", settings, "override a key: --set key.path=value (repeatable)")
+      ->allow_extra_args(false);
+
+  auto* law_command = app.add_subcommand(
+      "law",
+      "print what the contact law makes of one contact, for each pair of materials; simulates nothing");
+  law_command->footer(
+      "Prints, for a real grain and for the parcel simulated in its stead, pull-off force, work of "
+      "separation,\n"
+      "sticking speed and the restitution that collisions really show. Everything is asked of the law "
+      "itself: slow\n"
+      "pressing and pulling, and collisions integrated in time.\n"
+      "Example: pulvis law case.toml --pair molybdenum steel --speed '0.1 m/s' --out curves");
+  law_command->add_option("CASE", file, "case file (TOML)")->required();
+  law_command->add_option("--pair", pair, "two materials or powders; default: every pair")->expected(2);
+  law_command
+      ->add_option("--speed", speeds,
+                   "speed of collisions, e.g. '0.1 m/s' (repeatable); default: parts of the "
+                   "characteristic speed")
+      ->allow_extra_args(false);
+  law_command->add_option("--out", out,
+                          "folder for the load-unload curves: an SVG figure and a CSV file each");
+  law_command->add_option("--set", settings, "override a key: --set key.path=value (repeatable)")
       ->allow_extra_args(false);
 
   auto* new_command = app.add_subcommand("new", "write a case to start from");
@@ -151,10 +201,14 @@ int main(int argc, char** argv) {
     std::signal(SIGINT, on_interrupt);
     Exit result = Exit::ok;
     if (*run) {
+      std::signal(SIGTERM, on_leave);
+      std::signal(SIGUSR1, on_leave);
       request.overrides = overrides_from(settings);
       result = pulvis::run_case(request);
     } else if (*check_command) {
       result = check(file, settings);
+    } else if (*law_command) {
+      result = law(file, settings, pair, speeds, out);
     } else if (*new_command) {
       result = make_new(name, folder);
     } else if (*validate) {

@@ -126,6 +126,9 @@ class Builder {
     result.friction = section.optional_number("friction");
     result.rolling_friction = section.optional_number("rolling_friction");
     result.work_of_adhesion = section.optional_number("work_of_adhesion");
+    for (const auto& [key, setting] : section.settings)
+      if (setting.valid && find_key("contact", key) != nullptr)
+        result.numbers.emplace_back(key, (key == "contact_angle" ? 2.0 * pi : 1.0) * setting.numbers.front());
     return result;
   }
 
@@ -288,7 +291,8 @@ class Builder {
   }
 
   static OutputChoice output(const Section& section) {
-    return {section.number("interval"), section.number("log_interval"), section.flag("picture")};
+    return {section.number("interval"), section.number("log_interval"), section.number("checkpoint_interval"),
+            section.flag("picture")};
   }
 
   const Section& root_;

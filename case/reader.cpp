@@ -2,6 +2,7 @@
 #include "case/reader.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cerrno>
 #include <cstring>
@@ -67,6 +68,12 @@ void list_origins(const Section& section, const ProblemList& problems,
     for (const Section& element : group) list_origins(element, problems, origins);
 }
 
+std::string meaning_of(const Setting& setting) {
+  if (setting.key->kind == KeyKind::boolean) return setting.flag ? "true" : "false";
+  if (setting.key->kind == KeyKind::integer) return fmt::format("{}", setting.integer);
+  return fmt::format("{}{}", fmt::join(setting.numbers, " "), fmt::join(setting.texts, "\n"));
+}
+
 }  // namespace
 
 Case read_case_text(const std::string& text, const std::string& name,
@@ -102,8 +109,8 @@ std::vector<ResolvedKey> resolved(const std::string& text, const std::string& na
   list_settings(root, settings);
   std::vector<ResolvedKey> result;
   for (const Setting* setting : settings)
-    result.push_back(
-        {setting->path, setting->written, setting->given ? problems.describe(setting->place) : "default"});
+    result.push_back({setting->path, setting->written, meaning_of(*setting),
+                      setting->given ? problems.describe(setting->place) : "default"});
   return result;
 }
 

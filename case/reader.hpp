@@ -23,9 +23,10 @@ std::string place_of(const Case& c, std::string key);
 
 /// A key of a case with its value and where that comes from.
 struct ResolvedKey {
-  std::string key;     ///< "materials.steel.density"
-  std::string value;   ///< as written in TOML
-  std::string origin;  ///< "die.toml:14", "default" or "--set materials.steel.density"
+  std::string key;      ///< "materials.steel.density"
+  std::string value;    ///< as written in TOML
+  std::string meaning;  ///< the same however it was written: numbers in SI units, all their digits
+  std::string origin;   ///< "die.toml:14", "default" or "--set materials.steel.density"
 };
 
 /// Every key of a case that has a value, for run.json. Throws as read_case_text does.

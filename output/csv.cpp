@@ -2,6 +2,7 @@
 #include "output/csv.hpp"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <array>
@@ -9,6 +10,8 @@
 #include <charconv>
 #include <stdexcept>
 #include <utility>
+
+#include "engine/base/failure.hpp"
 
 namespace pulvis {
 namespace {
@@ -59,7 +62,44 @@ CsvLog::CsvLog(std::string path, std::vector<std::string> columns, FileCalls cal
   }
 }
 
-CsvLog::~CsvLog() { ::close(file_); }
+CsvLog::CsvLog(AtEnd, std::string path, std::size_t columns, FileCalls calls)
+    : path_(std::move(path)), columns_(columns), calls_(calls), file_(-1) {
+  file_ = ::open(path_.c_str(), O_RDWR | O_CLOEXEC);
+  if (file_ < 0 && errno == ENOENT)
+    throw Failure(Exit::bad_input, fmt::format("{} is gone; the run cannot go on with it", path_));
+  if (file_ < 0) fail_to_write(path_, errno);
+}
+
+CsvLog CsvLog::continued(std::string path, std::vector<std::string> columns, std::uint64_t length,
+                         FileCalls calls) {
+  CsvLog log(AtEnd{}, std::move(path), columns.size(), calls);
+  const auto end = static_cast<off_t>(length);
+  char last = '\n';
+  if (::lseek(log.file_, 0, SEEK_END) < end || end < 1 || ::pread(log.file_, &last, 1, end - 1) != 1 ||
+      last != '\n')
+    throw Failure(Exit::bad_input, fmt::format("{} is not the file that was written: no line of it ends "
+                                               "after {} bytes; the run cannot go on with it",
+                                               log.path_, length));
+  if (::ftruncate(log.file_, end) != 0) fail_to_write(log.path_, errno);
+  ::lseek(log.file_, end, SEEK_SET);
+  return log;
+}
+
+CsvLog::CsvLog(CsvLog&& other) noexcept
+    : path_(std::move(other.path_)),
+      columns_(other.columns_),
+      calls_(other.calls_),
+      file_(std::exchange(other.file_, -1)) {}
+
+CsvLog::~CsvLog() {
+  if (file_ >= 0) ::close(file_);
+}
+
+std::uint64_t CsvLog::sync() {
+  if (calls_.sync(file_) != 0) fail_to_write(path_, errno);
+  const off_t length = ::lseek(file_, 0, SEEK_CUR);
+  return length > 0 ? static_cast<std::uint64_t>(length) : 0;
+}
 
 void CsvLog::add(std::span<const CsvCell> cells) {
   if (cells.size() != columns_)

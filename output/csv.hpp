@@ -22,16 +22,25 @@ class CsvLog {
   /// Starts the file with its header; column names carry their unit: "time_s", "kinetic_energy_J".
   /// Throws Failure(Exit::io) if the file cannot be written.
   CsvLog(std::string path, std::vector<std::string> columns, FileCalls calls = FileCalls::system());
+  /// Goes on with a log as it was when it had `length` bytes: what was added since is cut off.
+  /// Throws Failure(Exit::bad_input) if it has not as many, or no line ends there.
+  static CsvLog continued(std::string path, std::vector<std::string> columns, std::uint64_t length,
+                          FileCalls calls = FileCalls::system());
   ~CsvLog();
-  CsvLog(const CsvLog&) = delete;
-  CsvLog& operator=(const CsvLog&) = delete;
+  CsvLog(CsvLog&& other) noexcept;
+  CsvLog& operator=(CsvLog&&) = delete;
 
   /// Adds one line. Throws Failure(Exit::io) if it cannot be written, after taking back what part of it was;
   /// std::invalid_argument if `cells` are not as many as the columns.
   void add(std::span<const CsvCell> cells);
   void add(std::initializer_list<CsvCell> cells) { add(std::span(cells.begin(), cells.size())); }
 
+  /// Brings all lines to the disk and returns the length of the file in bytes. Throws Failure(Exit::io).
+  std::uint64_t sync();
+
  private:
+  struct AtEnd {};
+  CsvLog(AtEnd, std::string path, std::size_t columns, FileCalls calls);
   void write_line();
 
   std::string path_;

@@ -64,8 +64,10 @@ std::vector<fs::path> results_in(const fs::path& root, std::span<const std::stri
   return found;
 }
 
-void remove_results(const fs::path& root, std::span<const std::string> patterns) {
-  for (const fs::path& file : results_in(root, patterns)) fs::remove(file);
+void remove_results_in(const fs::path& root, std::span<const std::string> patterns,
+                       const std::set<std::string>& known) {
+  for (const fs::path& file : results_in(root, patterns))
+    if (!known.contains(file.lexically_relative(root).lexically_normal().string())) fs::remove(file);
   for (const std::string& folder : result_folders(patterns)) {
     if (folder == "." || fs::is_symlink(root / folder) || !fs::is_directory(root / folder)) continue;
     if (fs::is_empty(root / folder)) fs::remove(root / folder);
@@ -92,12 +94,19 @@ bool still_named(int lock, const std::string& path) {
 RunFolder::RunFolder(std::string path, UsedFolder used, std::span<const std::string> result_files)
     : path_(std::move(path)), lock_(-1) {
   while (path_.size() > 1 && path_.back() == '/') path_.pop_back();
-  create_folder(path_);
+  if (used != UsedFolder::resume) {
+    create_folder(path_);
+  } else if (!fs::is_directory(path_)) {
+    throw Failure(Exit::usage,
+                  fmt::format("there is no results folder {} to go on with; start the run without "
+                              "--resume",
+                              path_));
+  }
   lock();
   try {
     if (used == UsedFolder::replace_results) {
-      remove_results(path_, result_files);
-    } else if (is_used(path_)) {
+      remove_results_in(path_, result_files, {});
+    } else if (used == UsedFolder::refuse && is_used(path_)) {
       throw Failure(Exit::usage,
                     fmt::format("the results folder {} is already in use; choose another one, or "
                                 "give --force to replace the results in it",
@@ -117,6 +126,15 @@ RunFolder::~RunFolder() { unlock(); }
 std::string RunFolder::folder(const std::string& name) const {
   create_folder(file(name));
   return file(name);
+}
+
+void RunFolder::remove_results(std::span<const std::string> result_files,
+                               const std::set<std::string>& known) const {
+  try {
+    remove_results_in(path_, result_files, known);
+  } catch (const fs::filesystem_error& error) {
+    fail_to_write(error.path1().string(), error.code().value());
+  }
 }
 
 void RunFolder::lock() {

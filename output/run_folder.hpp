@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <set>
 #include <span>
 #include <string>
 
@@ -9,6 +10,7 @@ namespace pulvis {
 enum class UsedFolder {
   refuse,           ///< Failure(Exit::usage) that names --force
   replace_results,  ///< --force: remove what a run writes, and nothing else
+  resume,           ///< --resume: it must be there, and everything in it stays
 };
 
 /// The results folder of one run, held by this process until destruction (flock on `.pulvis.lock`), so that
@@ -19,8 +21,8 @@ class RunFolder {
   /// `result_files` are shell patterns relative to the folder of all a run writes ("log.csv",
   /// "frames/*.vtp"); `*` does not reach into sub-folders. Only matching regular files (and their unfinished
   /// `.part`) are removed, and sub-folders named in a pattern if that leaves them empty.
-  /// Throws Failure(Exit::usage) if another process holds the folder or it is used; Failure(Exit::io) if it
-  /// cannot be created or written.
+  /// Throws Failure(Exit::usage) if another process holds the folder, it is used, or it is to be resumed and
+  /// not there; Failure(Exit::io) if it cannot be created or written.
   RunFolder(std::string path, UsedFolder used, std::span<const std::string> result_files);
   ~RunFolder();
   RunFolder(const RunFolder&) = delete;
@@ -31,6 +33,8 @@ class RunFolder {
   std::string file(const std::string& name) const { return path_ + "/" + name; }
   /// As `file`, for a sub-folder, which is created where missing; Failure(Exit::io) if it cannot be.
   std::string folder(const std::string& name) const;
+  /// Removes the results that match a pattern (see above) except those named in `known`.
+  void remove_results(std::span<const std::string> result_files, const std::set<std::string>& known) const;
 
  private:
   void lock();

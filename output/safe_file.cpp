@@ -13,16 +13,6 @@ namespace {
 
 constexpr int closed = -1;
 
-// A rename survives a power cut only when the folder itself is on the disk. Some file systems cannot sync
-// folders; the file is complete by then, so that is no error.
-void sync_folder(const FileCalls& calls, const std::string& path) {
-  const auto parent = std::filesystem::path(path).parent_path();
-  const int folder = ::open(parent.empty() ? "." : parent.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (folder < 0) return;
-  calls.sync(folder);
-  ::close(folder);
-}
-
 }  // namespace
 
 SafeFile::SafeFile(std::string path, FileCalls calls)
@@ -48,7 +38,9 @@ void SafeFile::commit() {
     ::unlink(part_.c_str());
     fail_to_write(path_, error);
   }
-  sync_folder(calls_, path_);
+  // A rename survives a power cut only when the folder itself is on the disk.
+  const auto parent = std::filesystem::path(path_).parent_path().string();
+  sync_folder(parent.empty() ? "." : parent, calls_);
 }
 
 void SafeFile::give_up(int error_number) {
@@ -66,6 +58,14 @@ void SafeFile::discard() {
 int SafeFile::close_file() {
   const int result = ::close(std::exchange(file_, closed));
   return result == 0 || errno == EINTR ? 0 : errno;
+}
+
+// Some file systems cannot sync folders; the files are complete by then, so that is no error.
+void sync_folder(const std::string& path, const FileCalls& calls) {
+  const int folder = ::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (folder < 0) return;
+  calls.sync(folder);
+  ::close(folder);
 }
 
 void write_file_safely(const std::string& path, std::string_view content, FileCalls calls) {

@@ -35,6 +35,9 @@ class SafeFile {
   int file_;
 };
 
+/// Brings the names of the files in a folder to the disk; what cannot be done so is no error.
+void sync_folder(const std::string& path, const FileCalls& calls = FileCalls::system());
+
 /// Writes `content` to `path` completely or not at all; errors as SafeFile.
 void write_file_safely(const std::string& path, std::string_view content,
                        FileCalls calls = FileCalls::system());

@@ -10,16 +10,13 @@ namespace pulvis {
 class VtkSeries {
  public:
   struct Frame {
-    double time;       ///< s
-    std::string file;  ///< relative to the folder of the .pvd
+    double time = 0.0;  ///< s
+    std::string file;   ///< relative to the folder of the .pvd
   };
 
-  /// An empty series; the file is written with the first frame.
-  explicit VtkSeries(std::string path) : path_(std::move(path)) {}
-
-  /// Goes on with the series in `path`, without its frames at or after `time` (s), which the continued run
-  /// writes again. A missing file gives an empty series; a damaged one Failure(Exit::bad_input).
-  static VtkSeries continued(std::string path, double time);
+  /// An empty series, whose file is written with the first frame; or one that has these frames already.
+  /// Throws Failure(Exit::io) if that cannot be written.
+  explicit VtkSeries(std::string path, std::vector<Frame> frames = {});
 
   /// Adds a frame and rewrites the .pvd, completely or not at all. `file` may be given relative to the folder
   /// of the .pvd or as a path that begins with that folder. Throws Failure(Exit::io) if it cannot be written.

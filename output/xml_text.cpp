@@ -27,21 +27,4 @@ std::string xml_escape(std::string_view text) {
   return escaped;
 }
 
-std::string xml_unescape(std::string_view escaped) {
-  std::string text;
-  while (!escaped.empty()) {
-    char letter = escaped.front();
-    std::size_t length = 1;
-    for (const auto& [plain, name] : entities) {
-      if (!escaped.starts_with(name)) continue;
-      letter = plain;
-      length = name.size();
-      break;
-    }
-    text += letter;
-    escaped.remove_prefix(length);
-  }
-  return text;
-}
-
 }  // namespace pulvis

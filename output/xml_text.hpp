@@ -8,7 +8,4 @@ namespace pulvis {
 /// `text` as it may stand in an XML attribute between double quotes.
 std::string xml_escape(std::string_view text);
 
-/// The text that `xml_escape` made `escaped` from.
-std::string xml_unescape(std::string_view escaped);
-
 }  // namespace pulvis

@@ -7,7 +7,9 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "case/units.hpp"
 #include "engine/contacts/wall_sight.hpp"
@@ -15,6 +17,7 @@
 #include "output/result_json.hpp"
 #include "output/safe_file.hpp"
 #include "run/body_pull.hpp"
+#include "run/checkpoint.hpp"
 #include "run/wall_mesh.hpp"
 
 namespace pulvis {
@@ -28,6 +31,8 @@ const std::vector<std::string> result_files = {"case.toml",
                                                "run.json",
                                                "result.json",
                                                "log.csv",
+                                               "wall-forces.csv",
+                                               "wall-pressure/after-*.csv",
                                                "picture.png",
                                                "pictures/after-*.png",
                                                ".reserve",
@@ -59,6 +64,34 @@ const std::string& free_of_inputs(const Case& c, const std::string& folder) {
   for (const Source& source : c.sources)
     if (source.kind == Source::Kind::file) refuse_if_there("bed", source.path);
   return folder;
+}
+
+const std::vector<std::string> log_columns{"step",
+                                           "time_s",
+                                           "phase",
+                                           "parcels",
+                                           "pair_contacts",
+                                           "wall_contacts",
+                                           "kinetic_energy_J",
+                                           "largest_speed_m_s",
+                                           "largest_overlap_over_radius",
+                                           "highest_point_m",
+                                           "inserted_mass_kg",
+                                           "escaped"};
+
+/// The files that belong to what is written.
+std::set<std::string> names_of(const WrittenResults& written) {
+  std::set<std::string> names(written.files.begin(), written.files.end());
+  names.insert({"case.toml", "run.json", "result.json", "log.csv"});
+  if (written.wall_log > 0) names.insert("wall-forces.csv");
+  const auto add = [&](const char* series, const std::vector<VtkSeries::Frame>& frames) {
+    if (!frames.empty()) names.insert(series);
+    for (const VtkSeries::Frame& frame : frames) names.insert(frame.file);
+  };
+  add("parcels.pvd", written.parcels);
+  add("walls.pvd", written.walls);
+  add("porosity.pvd", written.porosity);
+  return names;
 }
 
 /// Largest overlap of a pair over the smaller radius.
@@ -152,20 +185,42 @@ double present_mass(const Simulation& simulation) {
 
 }  // namespace
 
-Results::Results(const Case& c, const TimeStep& time_step, const std::string& folder, UsedFolder used)
+RunFolder open_results(const Case& c, const std::string& folder, UsedFolder used) {
+  std::vector<std::string> all = result_files;
+  all.push_back(Checkpoints::files);
+  return RunFolder(free_of_inputs(c, folder), used, all);
+}
+
+bool is_complete(const RunFolder& folder) {
+  std::ifstream file(folder.file("result.json"));
+  const Json result = Json::parse(file, nullptr, false);
+  return result.is_object() && result.contains("exit") && result["exit"] == 0;
+}
+
+Results::Results(const Case& c, const TimeStep& time_step, const Walls& walls, const RunFolder& folder,
+                 const WrittenResults& written)
     : case_(c),
       time_step_(time_step),
-      folder_(free_of_inputs(c, folder), used, result_files),
-      parcels_(folder_.file("parcels.pvd")),
-      walls_(folder_.file("walls.pvd")),
-      porosity_(folder_.file("porosity.pvd")) {
+      folder_(folder),
+      written_(written),
+      log_(written.log > 0 ? CsvLog::continued(folder.file("log.csv"), log_columns, written.log)
+                           : CsvLog(folder.file("log.csv"), log_columns)),
+      wall_results_(folder, walls, written.wall_log),
+      parcels_(folder.file("parcels.pvd"), written.parcels),
+      walls_(folder.file("walls.pvd"), written.walls),
+      porosity_(folder.file("porosity.pvd"), written.porosity) {
+  folder.remove_results(result_files, names_of(written));
   // Given back before result.json is written, so that a full disk still has room for what went wrong.
   write_file_safely(folder_.file(".reserve"), std::string(reserved_bytes, ' '));
-  log_ = std::make_unique<CsvLog>(
-      folder_.file("log.csv"),
-      std::vector<std::string>{"step", "time_s", "phase", "parcels", "pair_contacts", "wall_contacts",
-                               "kinetic_energy_J", "largest_speed_m_s", "largest_overlap_over_radius",
-                               "highest_point_m", "inserted_mass_kg", "escaped"});
+}
+
+WrittenResults Results::written() {
+  written_.log = log_.sync();
+  written_.wall_log = wall_results_.sync();
+  written_.parcels = parcels_.frames();
+  written_.walls = walls_.frames();
+  written_.porosity = porosity_.frames();
+  return written_;
 }
 
 void Results::write_case(const std::vector<Override>& overrides) {
@@ -196,21 +251,21 @@ void Results::log(const Simulation& simulation, const std::string& phase) {
     highest = k == 0 ? top : std::max(highest, top);
   }
   const double overlap = std::max(pair_overlap_ratio(simulation), wall_overlap_ratio(simulation));
-  largest_overlap_ = std::max(largest_overlap_, overlap);
-  log_->add({static_cast<std::int64_t>(state.step), simulation.time(), std::string_view(phase),
-             static_cast<std::int64_t>(state.parcels.size()),
-             static_cast<std::int64_t>(count_of(simulation.pairs().touching)),
-             static_cast<std::int64_t>(count_of(simulation.walls().touching)),
-             measures::energies(sight.bodies, simulation.field().gravity).kinetic(), fastest, overlap,
-             highest, state.ledger.inserted_mass, static_cast<std::int64_t>(state.ledger.escaped)});
+  written_.largest_overlap = std::max(written_.largest_overlap, overlap);
+  log_.add({static_cast<std::int64_t>(state.step), simulation.time(), std::string_view(phase),
+            static_cast<std::int64_t>(state.parcels.size()),
+            static_cast<std::int64_t>(count_of(simulation.pairs().touching)),
+            static_cast<std::int64_t>(count_of(simulation.walls().touching)),
+            measures::energies(sight.bodies, simulation.field().gravity).kinetic(), fastest, overlap, highest,
+            state.ledger.inserted_mass, static_cast<std::int64_t>(state.ledger.escaped)});
 }
 
 void Results::frame(const Simulation& simulation, const WallLoads& loads,
                     const std::optional<measures::PorosityField>& porosity) {
   const double time = simulation.time();
-  if (time == last_frame_) return;
-  last_frame_ = time;
-  const std::string number = fmt::format("{:06}", frames_++);
+  if (time == written_.last_frame) return;
+  written_.last_frame = time;
+  const std::string number = fmt::format("{:06}", written_.frames++);
   folder_.folder("frames");
   const auto file = [&](const char* kind, const char* ending) {
     return fmt::format("frames/{}-{}.{}", kind, number, ending);
@@ -292,8 +347,10 @@ void Results::picture(const Simulation& simulation, const std::string& phase, bo
   request.caption =
       fmt::format("after phase \"{}\", t = {}", phase, format_quantity(simulation.time(), dimension::time));
   request.threads = simulation.most_threads();
-  write_picture(last ? folder_.file("picture.png") : folder_.folder("pictures") + "/after-" + phase + ".png",
-                request);
+  if (!last) folder_.folder("pictures");
+  const std::string name = last ? "picture.png" : "pictures/after-" + phase + ".png";
+  write_picture(folder_.file(name), request);
+  written_.files.push_back(name);
 }
 
 void Results::write_result(const RunSummary& summary, const Simulation* simulation, bool ended) {
@@ -311,6 +368,7 @@ void Results::write_result(const RunSummary& summary, const Simulation* simulati
                                   ? "given by the case"
                                   : time_step_.limits.front().kind + " of " + time_step_.limits.front().of;
     json["wall_time_s"] = summary.wall_time;
+    json["resumes"] = summary.resumes;
     json["threads"] = simulation->most_threads();
     json["threads_used"] = simulation->threads();
     json["list_rebuilds"] = simulation->rebuilds();
@@ -321,7 +379,7 @@ void Results::write_result(const RunSummary& summary, const Simulation* simulati
     json["particle_steps_per_s"] = summary.stepping_time > 0.0
                                        ? static_cast<double>(summary.particle_steps) / summary.stepping_time
                                        : 0.0;
-    json["largest_overlap_over_radius"] = largest_overlap_;
+    json["largest_overlap_over_radius"] = written_.largest_overlap;
     json["state_hash"] = simulation->hash();
     json["ledger"] = {{"inserted", ledger.inserted},
                       {"present", state.parcels.size()},

@@ -1,52 +1,44 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "case/case.hpp"
 #include "case/reader.hpp"
-#include "engine/base/failure.hpp"
 #include "output/csv.hpp"
 #include "output/run_folder.hpp"
 #include "output/vtk_series.hpp"
 #include "run/measuring.hpp"
+#include "run/run_summary.hpp"
 #include "run/time_step.hpp"
 #include "run/wall_results.hpp"
 
 namespace pulvis {
 
-/// How a phase went.
-struct PhaseRecord {
-  std::string name;
-  double start = 0.0, end = 0.0;  ///< s
-  std::string ended_by;
-  std::vector<Measure> measures;
-  std::vector<WallForce> walls;
+/// What of the results is written, to go on from there.
+struct WrittenResults {
+  std::uint64_t log = 0, wall_log = 0;  ///< bytes of log.csv and wall-forces.csv; 0: not begun
+  std::vector<VtkSeries::Frame> parcels, walls, porosity;
+  std::vector<std::string> files;  ///< pictures and tables, each written once
+  std::uint64_t frames = 0;
+  double last_frame = -1.0;  ///< s
+  double largest_overlap = 0.0;
 };
 
-/// How a run went.
-struct RunSummary {
-  Exit exit = Exit::ok;
-  std::string reason;
-  double wall_time = 0.0;      ///< s
-  double stepping_time = 0.0;  ///< s of it in time steps
-  double looking_time = 0.0;   ///< s of it in measures, files and pictures
-  std::uint64_t particle_steps = 0;
-  std::vector<PhaseRecord> phases;
-  std::vector<std::string> notes;  ///< on meshes and motions
-  std::vector<std::string> warnings;
-};
+/// Takes the results folder. Throws Failure(Exit::usage), besides what RunFolder throws, if the case or a bed
+/// lies among the results, where the copy of the case would take its place or --force remove it.
+RunFolder open_results(const Case& c, const std::string& folder, UsedFolder used);
+
+/// Whether a run that ended well left its results there.
+bool is_complete(const RunFolder& folder);
 
 /// Everything a run writes into its folder.
 class Results {
  public:
-  /// Throws Failure(Exit::usage), besides what RunFolder throws, if the case or a bed lies among the results,
-  /// where the copy of the case would take its place or --force remove it.
-  Results(const Case& c, const TimeStep& time_step, const std::string& folder, UsedFolder used);
-
-  const RunFolder& folder() const { return folder_; }
+  /// Begins anew, or goes on from what is written: all that was written after it is removed or cut off.
+  Results(const Case& c, const TimeStep& time_step, const Walls& walls, const RunFolder& folder,
+          const WrittenResults& written = {});
 
   /// case.toml as read, run.json with every key and where its value came from.
   void write_case(const std::vector<Override>& overrides);
@@ -55,26 +47,33 @@ class Results {
   /// Parcels, walls with what they bear, and (if given) porosity for ParaView.
   void frame(const Simulation& simulation, const WallLoads& loads,
              const std::optional<measures::PorosityField>& porosity);
-  WallResults& walls() { return wall_results_; }
+  /// A line of wall-forces.csv.
+  void log_walls(const WallLoads& loads, const Simulation& simulation, const std::string& phase) {
+    wall_results_.log(loads, simulation, phase);
+  }
+  void write_pressures(const WallLoads& loads, const Simulation& simulation, const std::string& phase) {
+    written_.files.push_back(wall_results_.write_pressures(loads, simulation, phase));
+  }
   /// The die cut open, seen from obliquely above: picture.png if it is the `last`, else one in pictures/.
   void picture(const Simulation& simulation, const std::string& phase, bool last);
   /// result.json. `simulation` may be null if the run failed before it began. `ended`: the run is over, now
   /// is the time to use the room kept for this.
   void write_result(const RunSummary& summary, const Simulation* simulation, bool ended = true);
 
+  /// All that is written so far, brought to the disk.
+  WrittenResults written();
+
   /// Over the radius, with parcels and walls, of all looks so far.
-  double largest_overlap() const { return largest_overlap_; }
+  double largest_overlap() const { return written_.largest_overlap; }
 
  private:
   const Case& case_;
   const TimeStep& time_step_;
-  RunFolder folder_;
-  WallResults wall_results_{folder_};
-  std::unique_ptr<CsvLog> log_;
+  const RunFolder& folder_;
+  WrittenResults written_;  ///< but for the logs and the series, which know it themselves
+  CsvLog log_;
+  WallResults wall_results_;
   VtkSeries parcels_, walls_, porosity_;
-  double largest_overlap_ = 0.0;
-  double last_frame_ = -1.0;  ///< s
-  int frames_ = 0;
 };
 
 }  // namespace pulvis

@@ -14,6 +14,8 @@ struct RunRequest {
   std::string out;
   int threads = 0;  ///< 0: all processors this process may use
   bool force = false;
+  bool resume = false;   ///< go on from the newest checkpoint in `out`
+  std::string max_wall;  ///< time on the clock after which to stop with a checkpoint, "12 h"; empty: none
 };
 
 /// Runs a case from the file to the results. Progress goes to stderr; a short summary with the places of the
@@ -22,8 +24,5 @@ Exit run_case(const RunRequest& request);
 
 /// Processors this process may use.
 int available_processors();
-
-/// Set by signal handlers: end after this step.
-void ask_to_stop();
 
 }  // namespace pulvis

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "case/units.hpp"
+#include "engine/base/failure.hpp"
 #include "engine/contacts/wall_sight.hpp"
 #include "run/species.hpp"
 
@@ -70,44 +71,60 @@ WallLoads::WallLoads(const Case& c, const Simulation& simulation, double default
 }
 
 void WallLoads::clear(const Simulation& simulation) {
-  current_ = {};
-  current_.start = current_.end = simulation.time();
-  current_.walls.resize(walls_.names.size());
-  current_.bodies.resize(walls_.bodies.size());
-  current_.tiles.resize(tiling_.tiles().size());
-  for (const FacetedWall& mesh : walls_.meshes) current_.facets.emplace_back(mesh.mesh().triangles.size());
-  steps_in_window_ = 0;
+  now_.current = {};
+  now_.current.start = now_.current.end = simulation.time();
+  now_.current.walls.resize(walls_.names.size());
+  now_.current.bodies.resize(walls_.bodies.size());
+  now_.current.tiles.resize(tiling_.tiles().size());
+  for (const FacetedWall& mesh : walls_.meshes)
+    now_.current.facets.emplace_back(mesh.mesh().triangles.size());
+  now_.steps_in_window = 0;
 }
 
 void WallLoads::begin_phase(const Phase& phase, const Simulation& simulation) {
   const double dt = simulation.model().dt;
   double length = case_.measures.wall_window.value_or(default_window_);
-  cycles_ = false;
+  now_.cycles = false;
   if (!phase.motions.empty())
     if (const auto period = period_of_shaking(case_.motions[phase.motions.front()].motion)) {
       // Whole cycles: as many as come closest to the window the case states, at least one.
       const double stated = case_.measures.wall_window.value_or(*period);
       length = std::max(1.0, std::round(stated / *period)) * *period;
-      cycles_ = true;
+      now_.cycles = true;
     }
-  steps_per_window_ = static_cast<std::uint64_t>(std::max(1.0, std::round(length / dt)));
-  last_ = {};
+  now_.steps_per_window = static_cast<std::uint64_t>(std::max(1.0, std::round(length / dt)));
+  now_.last = {};
   clear(simulation);
 }
 
+void WallLoads::go_on_from(WallRecord record) {
+  const auto alike = [&](const WallWindow& w) {
+    const WallWindow& own = now_.current;
+    return w.walls.size() == own.walls.size() && w.bodies.size() == own.bodies.size() &&
+           w.tiles.size() == own.tiles.size() &&
+           std::equal(w.facets.begin(), w.facets.end(), own.facets.begin(), own.facets.end(),
+                      [](const auto& a, const auto& b) { return a.size() == b.size(); });
+  };
+  const bool empty = record.last.samples == 0;  // no window has ended in this phase
+  if (!alike(record.current) || !(empty || alike(record.last)) ||
+      record.steps_in_window >= record.steps_per_window)
+    throw Failure(Exit::bad_input, "its record of what walls bear is of other walls");
+  now_ = std::move(record);
+}
+
 bool WallLoads::after_step(const Simulation& simulation) {
-  if (++steps_in_window_ % steps_between_samples == 0 || steps_in_window_ == steps_per_window_)
+  if (++now_.steps_in_window % steps_between_samples == 0 || now_.steps_in_window == now_.steps_per_window)
     sample(simulation);
-  if (steps_in_window_ < steps_per_window_) return false;
-  last_ = mean_of(current_);
+  if (now_.steps_in_window < now_.steps_per_window) return false;
+  now_.last = mean_of(now_.current);
   clear(simulation);
   return true;
 }
 
 void WallLoads::sample(const Simulation& simulation) {
   const NearWalls& near = simulation.walls();
-  ++current_.samples;
-  current_.end = simulation.time();
+  ++now_.current.samples;
+  now_.current.end = simulation.time();
   for (const std::uint32_t slot : simulation.wall_slots_by_id()) {
     if (!near.touching[slot]) continue;
     const Surface& surface = walls_.surfaces[near.surface[slot]];
@@ -116,7 +133,7 @@ void WallLoads::sample(const Simulation& simulation) {
     const Load& load = near.load[slot];
     const Vec3 arm = centre - pose.now(reference_[surface.body]);
     const WallLoad on_wall{-load.force, -(cross(arm, load.force) + load.torque)};
-    for (WallLoad* sum : {&current_.walls[surface.wall], &current_.bodies[surface.body]}) {
+    for (WallLoad* sum : {&now_.current.walls[surface.wall], &now_.current.bodies[surface.body]}) {
       sum->force += on_wall.force;
       sum->torque += on_wall.torque;
     }
@@ -129,18 +146,18 @@ void WallLoads::sample(const Simulation& simulation) {
     };
     // A plane just outside the domain has no tiles, though parcels inside may touch it.
     const std::uint32_t tile = tiling_.tile_of(near.surface[slot], sight.facet, sight.nearest.point);
-    if (tile != measures::WallTiling::no_tile) add(current_.tiles[tile]);
-    if (surface.kind == Surface::Kind::patch) add(current_.facets[surface.mesh][sight.facet]);
+    if (tile != measures::WallTiling::no_tile) add(now_.current.tiles[tile]);
+    if (surface.kind == Surface::Kind::patch) add(now_.current.facets[surface.mesh][sight.facet]);
   }
 }
 
-const WallWindow& WallLoads::current_mean() const { return mean_ = mean_of(current_); }
+const WallWindow& WallLoads::current_mean() const { return mean_ = mean_of(now_.current); }
 
 std::string WallLoads::window_text() const {
   const WallWindow& w = window();
   if (w.samples == 0) return "instantaneous";
   return fmt::format("mean over {}{}", format_quantity(w.end - w.start, dimension::time),
-                     cycles_ && last_.samples > 0 ? ", whole cycles" : "");
+                     now_.cycles && now_.last.samples > 0 ? ", whole cycles" : "");
 }
 
 double WallLoads::pressure(std::size_t tile) const {

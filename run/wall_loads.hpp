@@ -31,6 +31,13 @@ struct WallWindow {
   std::vector<std::vector<TileLoad>> facets;  ///< per mesh, per triangle
 };
 
+/// What has been gathered so far, which a checkpoint holds.
+struct WallRecord {
+  std::uint64_t steps_per_window = 1, steps_in_window = 0;
+  bool cycles = false;       ///< windows are whole cycles
+  WallWindow current, last;  ///< sums; means
+};
+
 /// Adds up what parcels do to walls, window after window: whole cycles of shaking where a phase shakes, else
 /// the length the case states. It looks every few steps, which the mean over a window does not notice.
 class WallLoads {
@@ -43,8 +50,12 @@ class WallLoads {
   /// After each step. True if a window has just been completed.
   bool after_step(const Simulation& simulation);
 
+  const WallRecord& record() const { return now_; }
+  /// Goes on from a record. Throws Failure(bad_input) if it is of other walls.
+  void go_on_from(WallRecord record);
+
   /// The last complete window of this phase; before there is one, what has been gathered so far.
-  const WallWindow& window() const { return last_.samples > 0 ? last_ : current_mean(); }
+  const WallWindow& window() const { return now_.last.samples > 0 ? now_.last : current_mean(); }
   std::string window_text() const;
   const measures::WallTiling& tiling() const { return tiling_; }
   /// Point about which torques are taken, in the frame of the body: the middle of the box around it.
@@ -66,9 +77,7 @@ class WallLoads {
   measures::WallTiling tiling_;
   std::vector<Vec3> reference_;
   double default_window_;
-  std::uint64_t steps_per_window_ = 1, steps_in_window_ = 0;
-  bool cycles_ = false;
-  WallWindow current_, last_;  ///< sums; means
+  WallRecord now_;
   mutable WallWindow mean_;
 };
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "engine/contacts/near_walls.hpp"
+#include "output/safe_file.hpp"
 
 namespace pulvis {
 namespace {
@@ -18,44 +19,59 @@ bool is_single_wall(const Walls& walls, std::uint32_t body) {
 }
 
 /// Walls by their names, then bodies of more than one wall.
-std::vector<std::pair<std::string, const WallLoad*>> named_loads(const Walls& walls, const WallWindow& w) {
-  std::vector<std::pair<std::string, const WallLoad*>> list;
-  for (std::size_t k = 0; k < walls.names.size(); ++k) list.push_back({walls.names[k], &w.walls[k]});
-  for (std::size_t b = 0; b < walls.bodies.size(); ++b)
-    if (!is_single_wall(walls, static_cast<std::uint32_t>(b)))
-      list.push_back({"body " + walls.bodies[b].name, &w.bodies[b]});
-  return list;
+std::vector<std::string> names_of_loads(const Walls& walls) {
+  std::vector<std::string> names = walls.names;
+  for (std::uint32_t b = 0; b < walls.bodies.size(); ++b)
+    if (!is_single_wall(walls, b)) names.push_back("body " + walls.bodies[b].name);
+  return names;
 }
 
-std::vector<std::string> columns_for(const Walls& walls, const WallWindow& w) {
+/// In the order of their names.
+std::vector<const WallLoad*> loads_of(const Walls& walls, const WallWindow& w) {
+  std::vector<const WallLoad*> loads;
+  for (const WallLoad& load : w.walls) loads.push_back(&load);
+  for (std::uint32_t b = 0; b < walls.bodies.size(); ++b)
+    if (!is_single_wall(walls, b)) loads.push_back(&w.bodies[b]);
+  return loads;
+}
+
+std::vector<std::string> columns_for(const Walls& walls) {
   std::vector<std::string> columns{"time_s", "window_s", "phase"};
-  for (const auto& [name, load] : named_loads(walls, w)) {
+  for (const std::string& name : names_of_loads(walls)) {
     for (const char* axis : {"x", "y", "z"}) columns.push_back(fmt::format("{} force_{}_N", name, axis));
     for (const char* axis : {"x", "y", "z"}) columns.push_back(fmt::format("{} torque_{}_N_m", name, axis));
   }
   return columns;
 }
 
+constexpr const char* log_file = "wall-forces.csv";
+
 }  // namespace
+
+WallResults::WallResults(const RunFolder& folder, const Walls& walls, std::uint64_t length)
+    : folder_(folder) {
+  if (length > 0) log_.emplace(CsvLog::continued(folder.file(log_file), columns_for(walls), length));
+}
 
 void WallResults::log(const WallLoads& loads, const Simulation& simulation, const std::string& phase) {
   const Walls& walls = simulation.model().walls;
   const WallWindow& w = loads.window();
-  if (!log_) log_ = std::make_unique<CsvLog>(folder_.file("wall-forces.csv"), columns_for(walls, w));
+  if (!log_) log_.emplace(folder_.file(log_file), columns_for(walls));
   std::vector<CsvCell> cells{w.end, w.end - w.start, std::string_view(phase)};
-  for (const auto& [name, load] : named_loads(walls, w))
+  for (const WallLoad* load : loads_of(walls, w))
     for (const Vec3& v : {load->force, load->torque})
       for (int axis = 0; axis < 3; ++axis) cells.push_back(v[axis]);
   log_->add(cells);
 }
 
-void WallResults::write_pressures(const WallLoads& loads, const Simulation& simulation,
-                                  const std::string& phase) {
+std::string WallResults::write_pressures(const WallLoads& loads, const Simulation& simulation,
+                                         const std::string& phase) {
   const Walls& walls = simulation.model().walls;
   const WallWindow& w = loads.window();
-  CsvLog table(folder_.folder("wall-pressure") + "/after-" + phase + ".csv",
-               {"wall", "surface", "x_m", "y_m", "z_m", "u_m", "v_m", "area_m2", "pressure_Pa",
-                "shear_stress_Pa", "window_s"});
+  const std::string folder = folder_.folder("wall-pressure");
+  const std::string name = "wall-pressure/after-" + phase + ".csv";
+  CsvLog table(folder_.file(name), {"wall", "surface", "x_m", "y_m", "z_m", "u_m", "v_m", "area_m2",
+                                    "pressure_Pa", "shear_stress_Pa", "window_s"});
   for (std::size_t t = 0; t < w.tiles.size(); ++t) {
     const measures::WallTile& tile = loads.tiling().tiles()[t];
     const Surface& surface = walls.surfaces[tile.surface];
@@ -64,6 +80,9 @@ void WallResults::write_pressures(const WallLoads& loads, const Simulation& simu
                place.z, tile.u, tile.v, tile.area, w.tiles[t].normal / tile.area,
                norm(w.tiles[t].shear) / tile.area, w.end - w.start});
   }
+  table.sync();
+  sync_folder(folder);
+  return name;
 }
 
 WallFields wall_fields(const WallMesh& mesh, const WallLoads& loads, const Simulation& simulation) {
@@ -102,8 +121,10 @@ std::vector<Measure> wall_measures(const Case& c, const WallLoads& loads, const 
 
 std::vector<WallForce> wall_forces(const WallLoads& loads, const Simulation& simulation) {
   std::vector<WallForce> list;
-  for (const auto& [name, load] : named_loads(simulation.model().walls, loads.window()))
-    list.push_back({name, *load, loads.window_text()});
+  const Walls& walls = simulation.model().walls;
+  const std::vector<std::string> names = names_of_loads(walls);
+  const std::vector<const WallLoad*> bear = loads_of(walls, loads.window());
+  for (std::size_t k = 0; k < names.size(); ++k) list.push_back({names[k], *bear[k], loads.window_text()});
   return list;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,14 +16,18 @@ namespace pulvis {
 /// line for each tile.
 class WallResults {
  public:
-  explicit WallResults(const RunFolder& folder) : folder_(folder) {}
+  /// Goes on with wall-forces.csv as it was when it had `length` bytes; 0: a new one, when there is a line.
+  WallResults(const RunFolder& folder, const Walls& walls, std::uint64_t length);
 
   void log(const WallLoads& loads, const Simulation& simulation, const std::string& phase);
-  void write_pressures(const WallLoads& loads, const Simulation& simulation, const std::string& phase);
+  /// Brings wall-forces.csv to the disk; its length in bytes, 0 if there is none yet.
+  std::uint64_t sync() { return log_ ? log_->sync() : 0; }
+  /// Returns the name of the file in the folder.
+  std::string write_pressures(const WallLoads& loads, const Simulation& simulation, const std::string& phase);
 
  private:
   const RunFolder& folder_;
-  std::unique_ptr<CsvLog> log_;
+  std::optional<CsvLog> log_;
 };
 
 /// Pressure and shear stress (Pa) of the tile, and normal and shear force (N) of the triangle of the mesh (0 for

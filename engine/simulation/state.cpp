@@ -5,108 +5,66 @@
 #include <xxhash.h>
 
 #include <algorithm>
-#include <cstring>
+#include <cmath>
 #include <numeric>
 #include <type_traits>
 
-#include "engine/base/failure.hpp"
+#include "engine/simulation/model.hpp"
+#include "engine/simulation/state_fields.hpp"
 
 namespace pulvis {
 namespace {
 
-constexpr std::uint64_t magic = 0x31455441'54534c50;  // "PLSTATE1" read as little-endian text
-constexpr std::uint32_t version = 3;
+bool finite(const Vec3& v) { return std::isfinite(dot(v, v)); }
 
-class Writer {
- public:
-  std::vector<std::byte> bytes;
+/// Contacts of `owners` parcels, partners ascending within each and below `partners`.
+bool is_sound(const TouchingList& list, std::size_t owners, std::uint32_t partners) {
+  const std::size_t count = list.partner.size();
+  if (list.begin.size() != owners + 1 || list.begin.front() != 0 || list.begin.back() != count) return false;
+  if (list.history.size() != count || list.memory.list.size() != (list.memory.used ? count : 0)) return false;
+  for (std::size_t k = 0; k < owners; ++k) {
+    if (list.begin[k] > list.begin[k + 1] || list.begin[k + 1] > count) return false;
+    for (std::uint32_t at = list.begin[k]; at < list.begin[k + 1]; ++at)
+      if (list.partner[at] >= partners || (at > list.begin[k] && list.partner[at] <= list.partner[at - 1]))
+        return false;
+  }
+  const auto finite_history = [](const laws::History& h) { return finite(h.slide) && finite(h.roll); };
+  const auto finite_memory = [](const laws::Memory& m) {
+    return std::isfinite(m.plastic) && std::isfinite(m.adhesion) && std::isfinite(m.grip);
+  };
+  return std::all_of(list.history.begin(), list.history.end(), finite_history) &&
+         std::all_of(list.memory.list.begin(), list.memory.list.end(), finite_memory);
+}
 
-  template <class T>
-  void operator()(const T& value) {
-    static_assert(std::is_trivially_copyable_v<T>);
-    const auto* p = reinterpret_cast<const std::byte*>(&value);
-    bytes.insert(bytes.end(), p, p + sizeof value);
-  }
-  template <class T>
-  void operator()(const std::vector<T>& list) {
-    static_assert(std::is_trivially_copyable_v<T>);
-    (*this)(static_cast<std::uint64_t>(list.size()));
-    const auto* p = reinterpret_cast<const std::byte*>(list.data());
-    bytes.insert(bytes.end(), p, p + list.size() * sizeof(T));
-  }
-  void operator()(const std::string& text) { (*this)(std::vector<char>(text.begin(), text.end())); }
-};
+/// Numbers of parcels, each once; of a pair, the owner's below its partner's, which is there.
+bool has_sound_ids(const State& state) {
+  std::vector<std::uint32_t> ids;
+  for (const Parcel& p : state.parcels.body) ids.push_back(p.id);
+  std::sort(ids.begin(), ids.end());
+  if (std::adjacent_find(ids.begin(), ids.end()) != ids.end()) return false;
+  if (!ids.empty() && ids.back() >= state.next_id) return false;
+  for (std::size_t k = 0; k < state.parcels.size(); ++k)
+    for (std::uint32_t at = state.pairs.begin[k]; at < state.pairs.begin[k + 1]; ++at)
+      if (state.pairs.partner[at] <= state.parcels.body[k].id ||
+          !std::binary_search(ids.begin(), ids.end(), state.pairs.partner[at]))
+        return false;
+  return true;
+}
 
-class Reader {
- public:
-  explicit Reader(const std::vector<std::byte>& bytes, std::size_t end) : bytes_(bytes), end_(end) {}
+bool is_sound(const Parcel& p, const Model& model) {
+  constexpr double slack = 1e-6;  // roundings of what was drawn or wrapped
+  const Vec3 from_low = p.position - model.domain.min, extent = model.domain.extent();
+  for (int axis = 0; axis < 3; ++axis)
+    if (!(from_low[axis] >= -slack * extent[axis] && from_low[axis] <= (1.0 + slack) * extent[axis]))
+      return false;
+  return finite(p.velocity) && finite(p.spin) && p.species < model.classes.species() &&
+         p.radius >= (1.0 - slack) * model.smallest_radius &&
+         p.radius <= (1.0 + slack) * model.largest_radius && p.mass > 0.0 && std::isfinite(p.mass);
+}
 
-  template <class T>
-  void operator()(T& value) {
-    static_assert(std::is_trivially_copyable_v<T>);
-    need(sizeof value);
-    std::memcpy(static_cast<void*>(&value), bytes_.data() + at_, sizeof value);
-    at_ += sizeof value;
-  }
-  template <class T>
-  void operator()(std::vector<T>& list) {
-    std::uint64_t count = 0;
-    (*this)(count);
-    if (count > (end_ - at_) / sizeof(T)) fail();
-    list.resize(count);
-    if (count > 0) std::memcpy(static_cast<void*>(list.data()), bytes_.data() + at_, count * sizeof(T));
-    at_ += count * sizeof(T);
-  }
-  void operator()(std::string& text) {
-    std::vector<char> letters;
-    (*this)(letters);
-    text.assign(letters.begin(), letters.end());
-  }
-  bool at_end() const { return at_ == end_; }
-  [[noreturn]] static void fail() {
-    throw Failure(Exit::bad_input, "the saved state is damaged or of another version");
-  }
-
- private:
-  void need(std::size_t size) const {
-    if (size > end_ - at_) fail();
-  }
-  const std::vector<std::byte>& bytes_;
-  std::size_t at_ = 0, end_;
-};
-
-/// Every field of the state, once; writing and reading use the same list.
-template <class Archive, class S>
-void visit(Archive& archive, S& s) {
-  archive(s.step);
-  archive(s.parcels.body);
-  archive(s.parcels.load);
-  for (auto* list : {&s.pairs, &s.walls}) {
-    archive(list->begin);
-    archive(list->partner);
-    archive(list->history);
-    archive(list->memory.used);
-    archive(list->memory.list);
-  }
-  archive(s.motions);
-  archive(s.body_absent);
-  archive(s.sources);
-  archive(s.next_id);
-  archive(s.ledger);
-  std::uint64_t escapes = s.escapes.size();
-  archive(escapes);
-  if constexpr (!std::is_const_v<S>) {
-    if (escapes > s.parcels.size() + s.ledger.inserted) Reader::fail();
-    s.escapes.resize(escapes);
-  }
-  for (auto& e : s.escapes) {
-    archive(e.id);
-    archive(e.time);
-    archive(e.position);
-    archive(e.velocity);
-    archive(e.through);
-  }
-  archive(s.progress);
+bool is_sound(const MotionState& m, const State& state) {
+  return finite(m.left.row[0]) && finite(m.left.row[1]) && finite(m.left.row[2]) && finite(m.left.shift) &&
+         m.start <= state.step;
 }
 
 class Hash {
@@ -143,31 +101,36 @@ void add_contacts(Hash& hash, const TouchingList& list, std::uint32_t owner) {
 
 }  // namespace
 
-std::vector<std::byte> save_state(const State& state) {
-  Writer writer;
-  writer(magic);
-  writer(version);
-  visit(writer, state);
-  writer(static_cast<std::uint64_t>(XXH3_64bits(writer.bytes.data(), writer.bytes.size())));
-  return writer.bytes;
+std::vector<std::byte> save_state(const State& state) { return to_bytes(state); }
+
+State load_state(std::span<const std::byte> bytes) {
+  State state;
+  from_bytes(bytes, state);
+  return state;
 }
 
-State load_state(const std::vector<std::byte>& bytes) {
-  std::uint64_t checksum = 0;
-  if (bytes.size() < sizeof magic + sizeof version + sizeof checksum) Reader::fail();
-  const std::size_t end = bytes.size() - sizeof checksum;
-  std::memcpy(&checksum, bytes.data() + end, sizeof checksum);
-  if (checksum != XXH3_64bits(bytes.data(), end)) Reader::fail();
-  Reader reader(bytes, end);
-  std::uint64_t read_magic = 0;
-  std::uint32_t read_version = 0;
-  reader(read_magic);
-  reader(read_version);
-  if (read_magic != magic || read_version != version) Reader::fail();
-  State state;
-  visit(reader, state);
-  if (!reader.at_end()) Reader::fail();
-  return state;
+void require_fit(const State& state, const Model& model) {
+  const std::size_t count = state.parcels.size();
+  const auto any_surface = static_cast<std::uint32_t>(model.walls.surfaces.size());
+  ByteReader::require(state.parcels.load.size() == count && is_sound(state.pairs, count, state.next_id) &&
+                      is_sound(state.walls, count, any_surface) && has_sound_ids(state));
+  constexpr std::uint32_t most_parcels = 1u << 31;  // see Parcel::id
+  ByteReader::require(state.next_id <= most_parcels);
+  const bool remember = model.classes.remember();
+  ByteReader::require(state.pairs.memory.used == remember && state.walls.memory.used == remember);
+  for (const Parcel& p : state.parcels.body) ByteReader::require(is_sound(p, model));
+  for (const Load& load : state.parcels.load) ByteReader::require(finite(load.force) && finite(load.torque));
+  ByteReader::require(state.motions.size() == model.motions.size() &&
+                      state.body_absent.size() == model.walls.bodies.size() &&
+                      state.sources.size() == model.sources.size());
+  for (const MotionState& m : state.motions) ByteReader::require(is_sound(m, state));
+  for (const SourceState& s : state.sources)
+    ByteReader::require(s.opened <= state.step && s.mass_at_opening >= 0.0 && s.mass_at_opening <= s.mass &&
+                        std::isfinite(s.mass));
+  ByteReader::require(state.progress.phase_start <= state.step);
+  const Ledger& ledger = state.ledger;
+  ByteReader::require(ledger.inserted == count + ledger.removed + ledger.escaped &&
+                      state.escapes.size() == ledger.escaped);
 }
 
 std::string state_hash(const Parcels& parcels, const TouchingList& pairs, const TouchingList& walls) {

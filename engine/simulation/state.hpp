@@ -2,6 +2,7 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,8 @@
 #include "engine/parcels/parcels.hpp"
 
 namespace pulvis {
+
+struct Model;
 
 /// Counts and masses: inserted = present + removed + escaped, always.
 struct Ledger {
@@ -53,10 +56,14 @@ struct State {
   PhaseProgress progress;
 };
 
-/// Bytes of a state, with a magic number, a version and a checksum.
+/// Bytes of a state; equal states have equal bytes. Whether bytes are intact is the business of the file they
+/// stand in (output/chunk_file.hpp).
 std::vector<std::byte> save_state(const State& state);
-/// Throws Failure(bad_input) if the bytes are not an intact state.
-State load_state(const std::vector<std::byte>& bytes);
+/// Throws Failure(bad_input) if the bytes are no state.
+State load_state(std::span<const std::byte> bytes);
+/// Throws Failure(bad_input) if the state cannot be one of this model: an index out of range, a number that is
+/// not finite, a parcel outside the domain. A state that passes can be stepped, whatever bytes it came from.
+void require_fit(const State& state, const Model& model);
 
 /// XXH3 128-bit hash (32 hexadecimal digits) of positions, velocities, spins and contact history, parcels in
 /// order of their ids: equal states have equal hashes however the store is sorted.

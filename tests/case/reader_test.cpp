@@ -207,9 +207,11 @@ TEST(CaseReader, TellsWhereEachValueComesFrom) {
   const auto find = [&](const std::string& key) {
     const auto found =
         std::find_if(keys.begin(), keys.end(), [&](const ResolvedKey& k) { return k.key == key; });
-    return found == keys.end() ? ResolvedKey{"missing", "", ""} : *found;
+    return found == keys.end() ? ResolvedKey{"missing", "", "", ""} : *found;
   };
   EXPECT_EQ(find("materials.molybdenum.density").value, "\"10.2 g/cm^3\"");
+  EXPECT_EQ(find("materials.molybdenum.density").meaning, "10200");
+  EXPECT_EQ(find("phases[0].until").meaning, "time");
   EXPECT_EQ(find("materials.molybdenum.density").origin, "die.toml:6");
   EXPECT_EQ(find("materials.molybdenum.surface_energy").origin, "default");
   EXPECT_EQ(find("powders.mo.coarse_graining").value, "50");

@@ -65,5 +65,35 @@ TEST(CsvLog, FailsWithoutItsFolder) {
   failure_of(Exit::io, [&] { CsvLog(folder.file("missing/log.csv"), {"a"}); });
 }
 
+TEST(CsvLog, GoesOnWhereItWasWhateverWasAddedSince) {
+  ScratchFolder folder;
+  const std::string file = folder.file("log.csv");
+  std::uint64_t length = 0;
+  {
+    CsvLog log(file, {"a", "b"});
+    log.add({0.25, 1.0});
+    length = log.sync();
+    log.add({0.5, 2.0});
+  }
+  put(file, content_of(file) + "0.75,");  // torn by a crash
+  EXPECT_EQ(length, 11u);
+  CsvLog log = CsvLog::continued(file, {"a", "b"}, length);
+  EXPECT_EQ(content_of(file), "a,b\n0.25,1\n") << "cut back at once";
+  log.add({0.5, 3.0});
+  EXPECT_EQ(content_of(file), "a,b\n0.25,1\n0.5,3\n");
+}
+
+TEST(CsvLog, DoesNotGoOnWithAFileThatIsNotTheOneWritten) {
+  ScratchFolder folder;
+  const std::string file = folder.file("log.csv");
+  failure_of(Exit::bad_input, [&] { CsvLog::continued(file, {"a"}, 10); });
+  put(file, "a\n0.5\n0.75\n");
+  for (const std::uint64_t length : {0, 3, 12, 1000}) {
+    const auto message = failure_of(Exit::bad_input, [&] { CsvLog::continued(file, {"a"}, length); });
+    EXPECT_NE(message.find(file), std::string::npos) << message;
+  }
+  EXPECT_EQ(content_of(file), "a\n0.5\n0.75\n") << "it was left as it is";
+}
+
 }  // namespace
 }  // namespace pulvis

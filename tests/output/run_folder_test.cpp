@@ -115,5 +115,33 @@ TEST(RunFolder, FailsWhereNothingMayBeWritten) {
   EXPECT_NE(message.find("cannot write /proc/self"), std::string::npos) << message;
 }
 
+TEST(RunFolder, IsResumedWithAllThatIsInIt) {
+  ScratchFolder folder;
+  for (const char* name : {"log.csv", "a.pvd", "frames/p_1.vtp", "notes.txt"})
+    put(folder.file(name), "there");
+  RunFolder run(folder.path(), UsedFolder::resume, results);
+  for (const char* name : {"log.csv", "a.pvd", "frames/p_1.vtp", "notes.txt"}) EXPECT_TRUE(folder.has(name));
+}
+
+TEST(RunFolder, IsNotMadeToBeResumed) {
+  ScratchFolder folder;
+  const auto message =
+      failure_of(Exit::usage, [&] { RunFolder(folder.file("none"), UsedFolder::resume, results); });
+  EXPECT_NE(message.find("--resume"), std::string::npos) << message;
+  EXPECT_FALSE(folder.has("none"));
+}
+
+TEST(RunFolder, RemovesTheResultsThatAreNotKnown) {
+  ScratchFolder folder;
+  for (const char* name : {"log.csv", "a.pvd", "frames/p_1.vtp", "frames/p_2.vtp", "frames/p_2.vtp.part"})
+    put(folder.file(name), "result");
+  put(folder.file("notes.txt"), "mine");
+  RunFolder run(folder.path(), UsedFolder::resume, results);
+  run.remove_results(results, {"log.csv", "frames/p_1.vtp"});
+  for (const char* name : {"log.csv", "frames/p_1.vtp", "notes.txt"}) EXPECT_TRUE(folder.has(name)) << name;
+  for (const char* name : {"a.pvd", "frames/p_2.vtp", "frames/p_2.vtp.part"})
+    EXPECT_FALSE(folder.has(name)) << name;
+}
+
 }  // namespace
 }  // namespace pulvis

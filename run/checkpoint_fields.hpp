@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include "engine/simulation/state_fields.hpp"
+#include "run/checkpoint.hpp"
+
+// What of a run goes into a checkpoint besides the state of the engine: change it, and Checkpoint::version must
+// change too.
+namespace pulvis {
+
+template <class Archive>
+void fields(Archive& archive, CaseKey& k) {
+  archive(k.key, k.value, k.meaning);
+}
+template <class Archive>
+void fields(Archive& archive, WallLoad& load) {
+  archive(load.force, load.torque);
+}
+template <class Archive>
+void fields(Archive& archive, TileLoad& load) {
+  archive(load.normal, load.shear);
+}
+template <class Archive>
+void fields(Archive& archive, WallWindow& w) {
+  archive(w.start, w.end, w.samples, w.walls, w.bodies, w.tiles, w.facets);
+}
+template <class Archive>
+void fields(Archive& archive, WallRecord& r) {
+  archive(r.steps_per_window, r.steps_in_window, r.cycles, r.current, r.last);
+}
+template <class Archive>
+void fields(Archive& archive, Measure& m) {
+  archive(m.name, m.value, m.unit, m.window);
+}
+template <class Archive>
+void fields(Archive& archive, WallForce& w) {
+  archive(w.name, w.load, w.window);
+}
+template <class Archive>
+void fields(Archive& archive, PhaseRecord& p) {
+  archive(p.name, p.start, p.end, p.ended_by, p.measures, p.walls);
+}
+template <class Archive>
+void fields(Archive& archive, RunSummary& s) {
+  archive(s.resumes, s.wall_time, s.stepping_time, s.looking_time, s.particle_steps, s.phases, s.notes,
+          s.warnings);
+}
+template <class Archive>
+void fields(Archive& archive, VtkSeries::Frame& f) {
+  archive(f.time, f.file);
+}
+template <class Archive>
+void fields(Archive& archive, WrittenResults& r) {
+  archive(r.log, r.wall_log, r.parcels, r.walls, r.porosity, r.files, r.frames, r.last_frame,
+          r.largest_overlap);
+}
+
+}  // namespace pulvis

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "run/run_summary.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "case/units.hpp"
+#include "output/progress.hpp"
+
+namespace pulvis {
+
+std::string text_of(const Escape& e) {
+  return fmt::format("t = {:.6g} s, position ({:.5g}, {:.5g}, {:.5g}) m, speed {:.4g} m/s", e.time,
+                     e.position.x, e.position.y, e.position.z, norm(e.velocity));
+}
+
+void add_warning(RunSummary& summary, const std::string& text) {
+  summary.warnings.push_back(text);
+  fmt::print(stderr, "warning: {}\n", text);
+}
+
+void warn_of_overlap(double overlap, RunSummary& summary) {
+  if (overlap <= 0.05) return;
+  add_warning(summary,
+              fmt::format("parcels overlapped each other or walls by up to {:.1f} % of their radius; "
+                          "above 5 % a contact law of small overlaps is out of its range: raise "
+                          "simulated_modulus",
+                          100 * overlap));
+}
+
+void warn_of_escapes(const Case& c, const State& state, RunSummary& summary) {
+  if (c.domain.escape_is_error || state.escapes.empty()) return;
+  const Escape& first = state.escapes.front();
+  add_warning(summary, fmt::format("{} parcel{} ({}) escaped; the first was parcel {} through {} at {}",
+                                   state.ledger.escaped, state.ledger.escaped == 1 ? "" : "s",
+                                   format_quantity(state.ledger.escaped_mass, dimension::mass), first.id,
+                                   first.through, text_of(first)));
+}
+
+void print_summary(const Case& c, const std::string& folder, const RunSummary& summary,
+                   const Simulation& simulation) {
+  fmt::print(
+      "{} after {} of simulated time ({} steps, {} parcels) in {} ({} of it measures and files), {} "
+      "particle-steps/s\n",
+      summary.exit == Exit::ok ? "Completed" : "Ended", format_quantity(simulation.time(), dimension::time),
+      simulation.state().step, simulation.state().parcels.size(), duration_text(summary.wall_time),
+      duration_text(summary.looking_time),
+      count_text(static_cast<double>(summary.particle_steps) / std::max(summary.stepping_time, 1e-9)));
+  for (const PhaseRecord& p : summary.phases) {
+    fmt::print("  {:<12} {:>10} to {:>10}  ended by {}", p.name, format_quantity(p.start, dimension::time),
+               format_quantity(p.end, dimension::time), p.ended_by);
+    for (const Measure& m : p.measures)
+      if (m.value && (m.name == "porosity_mean" || m.name == "coordination_mean"))
+        fmt::print("  {} {:.4f}", m.name, *m.value);
+      else if (m.value && m.name == "fill_mass")
+        fmt::print("  {} {}", m.name, format_quantity(*m.value, dimension::mass));
+    fmt::print("\n");
+  }
+  for (const Source& source : c.sources) {
+    const auto k = static_cast<std::size_t>(&source - c.sources.data());
+    const SourceState& state = simulation.state().sources[k];
+    if (source.target.mass)
+      fmt::print("  source {}: {} of {} asked for, difference {}\n", source.name,
+                 format_quantity(state.mass, dimension::mass, 6),
+                 format_quantity(*source.target.mass, dimension::mass, 6),
+                 format_quantity(state.mass - *source.target.mass, dimension::mass));
+  }
+  const Ledger& l = simulation.state().ledger;
+  fmt::print("  ledger: {} inserted = {} present + {} removed + {} escaped\n", l.inserted,
+             simulation.state().parcels.size(), l.removed, l.escaped);
+  fmt::print("Results in {}:\n  numbers   {}/result.json, {}/log.csv\n", folder, folder, folder);
+  if (c.output.picture)
+    fmt::print("  picture   {0}/picture.png{1}\n", folder,
+               summary.phases.size() > 1 ? fmt::format(", {}/pictures/after-*.png", folder) : "");
+  fmt::print("  ParaView  {0}/parcels.pvd, {0}/walls.pvd, {0}/porosity.pvd\n", folder);
+}
+
+}  // namespace pulvis

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "run/runner.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+#include <csignal>
+
+#include "case/units.hpp"
+#include "engine/base/failure.hpp"
+#include "run/stop_request.hpp"
+
+namespace pulvis {
+namespace {
+
+double hundredth_of_longest_phase(const Case& c) {
+  double longest = 0.0;
+  for (const Phase& p : c.phases) {
+    double length = std::max(p.duration, p.time_limit);
+    if (p.until == Phase::Until::cycles)
+      length = std::max(length, length_of_cycles(c.motions[p.motions.front()].motion, p.cycles).value());
+    if (p.until == Phase::Until::motions)
+      for (const std::size_t m : p.motions) length = std::max(length, duration(c.motions[m].motion).value());
+    longest = std::max(longest, length);
+  }
+  return longest / 100.0;
+}
+
+double log_interval(const Case& c) {
+  return c.output.log_interval > 0.0 ? c.output.log_interval : hundredth_of_longest_phase(c);
+}
+
+Simulation simulation_of(const Case& c, Model&& model, State&& state, int threads) {
+  require_fit(state, model);
+  if (state.progress.phase > c.phases.size())
+    throw Failure(Exit::bad_input, "the saved state is in a phase that the case does not have");
+  return {std::move(model), std::move(state), threads};
+}
+
+}  // namespace
+
+double seconds_now() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+Runner::Runner(const Case& c, Model&& model, Checkpoint start, Results& results, Checkpoints& checkpoints,
+               int threads)
+    : case_(c),
+      results_(results),
+      checkpoints_(checkpoints),
+      checkpoint_(std::move(start)),
+      simulation_(simulation_of(c, std::move(model), std::move(checkpoint_.state), threads)),
+      procedure_(c, simulation_),
+      progress_(ProgressOptions::for_stderr()),
+      loads_(c, simulation_, hundredth_of_longest_phase(c)),
+      frame_every_(every(c.output.interval)),
+      log_every_(every(log_interval(c))),
+      saved_(seconds_now()),
+      booked_(saved_) {
+  if (checkpoint_.summary.resumes > 0) loads_.go_on_from(std::move(checkpoint_.loads));
+}
+
+std::uint64_t Runner::every(double interval) const {
+  return interval > 0.0
+             ? static_cast<std::uint64_t>(std::max(1.0, std::round(interval / simulation_.model().dt)))
+             : 0;
+}
+
+void Runner::warn(const std::string& text) {
+  summary().warnings.push_back(text);
+  progress_.message("warning: " + text);
+}
+
+/// Time that passed since this was called before goes to an account.
+void Runner::book(double& account) {
+  const double now = seconds_now();
+  account += now - booked_;
+  summary().wall_time += now - booked_;
+  booked_ = now;
+}
+
+void Runner::check_escapes() const {
+  const auto& escapes = simulation_.state().escapes;
+  if (escapes.empty() || !case_.domain.escape_is_error) return;
+  const Escape& e = escapes.back();
+  throw Failure(
+      Exit::physics,
+      fmt::format("parcel {} escaped through {} at {}\n  if parcels may be lost, set domain.escape = "
+                  "\"count\"; else close the walls, enlarge [domain] or lower time.fraction",
+                  e.id, e.through, text_of(e)));
+}
+
+/// Each step looks at what the one before it made; nobody else would look at what the last one made.
+void Runner::check_finite() const {
+  const auto finite = [](const Vec3& v) { return std::isfinite(dot(v, v)); };
+  const Parcel* bad = nullptr;
+  for (const Parcel& p : simulation_.state().parcels.body)
+    if (!(finite(p.position) && finite(p.velocity) && finite(p.spin)) && (!bad || p.id < bad->id)) bad = &p;
+  if (!bad) return;
+  const Vec3 &x = bad->position, &v = bad->velocity;
+  throw Failure(
+      Exit::physics,
+      fmt::format("position, velocity or spin is not a finite number: parcel {} at t = {:.6g} s, position "
+                  "({:.6g}, {:.6g}, {:.6g}) m, velocity ({:.6g}, {:.6g}, {:.6g}) m/s, radius {:.4g} m\n  "
+                  "the time step may be too large (lower time.fraction) or a material constant out of range",
+                  bad->id, simulation_.time(), x.x, x.y, x.z, v.x, v.y, v.z, bad->radius));
+}
+
+void Runner::look(bool phase_ends, const std::string& phase) {
+  const std::uint64_t step = simulation_.state().step;
+  if (phase_ends || (log_every_ && step % log_every_ == 0)) results_.log(simulation_, phase);
+  if (phase_ends) return;
+  if (frame_every_ && step % frame_every_ == 0)
+    results_.frame(simulation_, loads_, measure(case_, simulation_).porosity);
+}
+
+void Runner::close_phase(const std::string& ended_by, bool run_ends) {
+  const Phase& phase = procedure_.phase();
+  Measurement m = measure(case_, simulation_);
+  for (Measure& of_walls : wall_measures(case_, loads_, simulation_)) m.list.push_back(std::move(of_walls));
+  summary().phases.push_back({phase.name, procedure_.phase_start(), simulation_.time(), ended_by, m.list,
+                              wall_forces(loads_, simulation_)});
+  results_.frame(simulation_, loads_, m.porosity);
+  results_.write_pressures(loads_, simulation_, phase.name);
+  for (const std::size_t s : phase.sources) {
+    const SourceState& source = simulation_.state().sources[s];
+    if (source.done || (phase.until != Phase::Until::inserted && phase.until != Phase::Until::mass)) continue;
+    warn(fmt::format("source {} had given {} parcels ({}) when phase {} ended by {}", case_.sources[s].name,
+                     source.count, format_quantity(source.mass, dimension::mass), phase.name, ended_by));
+  }
+  if (case_.output.picture) {
+    const bool last_phase = simulation_.state().progress.phase + 1 == case_.phases.size();
+    results_.picture(simulation_, phase.name, last_phase || run_ends);
+  }
+}
+
+void Runner::show_progress() {
+  progress_.update({.phase = procedure_.phase().name,
+                    .simulated_time = simulation_.time(),
+                    .fraction = procedure_.share(),
+                    .parcels = simulation_.state().parcels.size(),
+                    .particle_steps = summary().particle_steps});
+}
+
+/// Only between two steps, when all output of the one before is written.
+void Runner::save() {
+  check_finite();  // the last good one must not give way to one that leads nowhere
+  book(summary().looking_time);
+  checkpoint_.time_step = simulation_.model().dt;
+  checkpoint_.state = simulation_.snapshot();
+  checkpoint_.loads = loads_.record();
+  checkpoint_.results = results_.written();
+  checkpoints_.write(checkpoint_);
+  checkpoint_.state = {};
+  checkpoint_.loads = {};
+  book(summary().looking_time);
+  saved_ = booked_;
+}
+
+void Runner::begin() {
+  loads_.begin_phase(procedure_.phase(), simulation_);
+  results_.log(simulation_, procedure_.phase().name);
+  results_.frame(simulation_, loads_, {});
+  save();
+}
+
+void Runner::step() {
+  simulation_.step();
+  if (loads_.after_step(simulation_)) results_.log_walls(loads_, simulation_, procedure_.phase().name);
+  summary().particle_steps += simulation_.state().parcels.size();
+  check_escapes();
+}
+
+void Runner::end_phase(const std::string& ended_by) {
+  close_phase(ended_by, false);
+  procedure_.next_phase();
+  if (!procedure_.finished()) loads_.begin_phase(procedure_.phase(), simulation_);
+  save();
+}
+
+/// Whether to stop before the next step; everything is saved and written then.
+bool Runner::stops(double latest) {
+  const int signal = signal_to_stop();
+  const bool too_long = booked_ > latest;
+  if (signal == 0 && !too_long) return false;
+  save();
+  if (signal == SIGINT) {
+    close_phase("stopped on request", true);
+    book(summary().looking_time);
+    summary().exit = Exit::cancelled;
+    summary().reason = "stopped on request; the results are those up to then";
+    return true;
+  }
+  const char* why = signal == SIGTERM ? "SIGTERM" : signal == SIGUSR1 ? "SIGUSR1" : "--max-wall";
+  summary().exit = Exit::interrupted;
+  summary().reason =
+      fmt::format("stopped by {} at {} of simulated time; the same command with --resume goes on from {}",
+                  why, format_quantity(simulation_.time(), dimension::time), checkpoints_.file());
+  return true;
+}
+
+void Runner::run(double latest) {
+  if (summary().resumes == 0) begin();
+  while (!procedure_.finished()) {
+    step();
+    const auto ended = procedure_.ended();
+    if (ended) check_finite();
+    book(summary().stepping_time);
+    look(ended.has_value(), procedure_.phase().name);
+    if (simulation_.state().step % 16 == 0 || ended) show_progress();
+    if (ended) end_phase(*ended);
+    book(summary().looking_time);
+    if (procedure_.finished()) break;
+    if (stops(latest)) return;
+    const double interval = case_.output.checkpoint_interval;
+    if (interval > 0.0 && booked_ - saved_ >= interval) save();
+  }
+  summary().reason = "completed";
+}
+
+}  // namespace pulvis
