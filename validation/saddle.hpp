@@ -58,7 +58,8 @@ enum class Plane {
 
 /// The angle, rad, at which a sphere integrated in a few lines of its own (velocity Verlet, linear springs) leaves
 /// both others, or nothing that is a number if it has not within `seconds`. Springs turn with the mean of both spins
-/// about the normal. It shares no law with the engine.
+/// about the normal; where they do not, friction across the circle never goes, and since mu > c the saddle then
+/// clamps a sphere for good from a size ratio of about 100 on. It shares no law with the engine.
 double leaving_angle(const Saddle& saddle, Plane plane, double dt, double seconds);
 
 }  // namespace pulvis::validation

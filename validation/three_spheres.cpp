@@ -23,8 +23,8 @@ constexpr double longest = 1.0;          // s, until a sphere counts as held
 /// Two small spheres that meet, s: the shortest contact time of all ratios.
 double contact_time() { return 180.0 * degree * std::sqrt(0.5 * Saddle{}.mass() / Saddle::stiffness); }
 
-/// The scene in the engine. It has no spheres that cannot move, so the two large ones are put to rest after each step:
-/// with no load and no velocity they stay where they are, to the last bit.
+/// The scene in the engine. It has no spheres that cannot move, so the two large ones are put to rest after
+/// each step: with no load and no velocity they stay where they are, to the last bit.
 class SaddleScene {
  public:
   SaddleScene(const Saddle& saddle, double rolling_friction, double dt)
@@ -190,8 +190,8 @@ void three_spheres(Findings& f, Effort effort) {
                 {}};
   for (const double ratio : {1.0, 3.0, 10.0, 100.0}) {
     departs(f, {ratio, 0.5, 1.0 * degree}, dt, automatic, figure);
-    holds(f, {ratio, 0.5, 20.0 * degree}, published_step,
-          automatic);  // statics: a shorter step changes nothing
+    // Statics: a shorter step changes nothing.
+    holds(f, {ratio, 0.5, 20.0 * degree}, published_step, automatic);
   }
   f.figure(figure);
   unsynchronised(f);
