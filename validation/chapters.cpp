@@ -47,6 +47,18 @@ const std::vector<Chapter>& chapters() {
        "row has "
        "the outcome furthest from the reference of eleven instants of first touch.",
        chung_ooi},
+      {"rolling", "Rolling resistance",
+       "The tests of Ai et al. (2011): which rolling friction holds a sphere on a slope, how far a sphere "
+       "goes that was pushed without spin, and whether a heap comes to rest.",
+       rolling},
+      {"three_spheres", "Friction at large size ratios",
+       "A small sphere on the saddle between two large ones leaves or stays as statics says, up to a size "
+       "ratio of 100; an integration that takes velocity and contact plane half a step apart fails.",
+       three_spheres},
+      {"gas", "Energy of an elastic gas",
+       "Frictionless Hertz spheres of several sizes in a periodic box: kinetic energy and elastic energy of "
+       "the contacts, summed from the positions by code of its own, stay what they were.",
+       gas},
   };
   return all;
 }

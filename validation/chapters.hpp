@@ -22,9 +22,12 @@ const std::vector<Chapter>& chapters();
 void capillary(Findings&, Effort);
 void chung_ooi(Findings&, Effort);
 void every_law(Findings&, Effort);
+void gas(Findings&, Effort);
 void jkr(Findings&, Effort);
 void restitution(Findings&, Effort);
+void rolling(Findings&, Effort);
 void symmetry(Findings&, Effort);
+void three_spheres(Findings&, Effort);
 void triangulated_walls(Findings&, Effort);
 
 }  // namespace pulvis::validation

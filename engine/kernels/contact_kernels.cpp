@@ -264,17 +264,17 @@ PULVIS_INLINE void evaluate_rolling(ContactBlock& b, int k, const typename Rolli
   const double size = b.contact_size[k], limit = magnitude(b.limiting_force[k]);
   const double held = select(size > 0.0, touch.was_touching, 0.0);
   Vec3 spring = load(b.springs->roll, k);
-  double twist = 0.0;
+  double twist = 0.0, twisted = 0.0;  // torque, and the part of it that is remembered
   if constexpr (Twisting::acts) {
     const Vec3 before = laws::normal_before(touch.normal, touch.half_normal);
-    const double old_twist = dot(spring, before);
-    spring = spring - old_twist * before;
-    twist = Twisting::twist(touch, size, limit, old_twist, twisting);
+    twisted = dot(spring, before);
+    spring = spring - twisted * before;
+    twist = Twisting::twist(touch, size, limit, b.tangential_damping[k], twisting, twisted);
   }
   Vec3 torque = Rolling::roll(touch, size, limit, rolling, spring);
   if constexpr (Twisting::acts) {
     torque = torque + twist * touch.normal;
-    spring = spring + twist * touch.normal;
+    spring = spring + twisted * touch.normal;
   }
   const Vec3 acting = held * torque;
   store(b.springs->roll, k, held * spring);

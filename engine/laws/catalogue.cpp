@@ -96,9 +96,10 @@ RollingEntry rolling_entry(std::size_t index) {
 template <FollowingPart Part>
 TwistingEntry twisting_entry(std::size_t index) {
   return {following_entry<Part, Place::twisting>(index), Part::acts,
-          [](const Touch& touch, double size, double limit, double old, const PairConstants& c) {
-            return Part::twist(touch, size, limit, old,
-                               unpack<typename Part::Pair>(c.data(), Place::twisting));
+          [](const Touch& touch, double size, double limit, double dashpot, const PairConstants& c,
+             double& spring) {
+            return Part::twist(touch, size, limit, dashpot,
+                               unpack<typename Part::Pair>(c.data(), Place::twisting), spring);
           }};
 }
 

@@ -120,8 +120,8 @@ struct RollingEntry : FollowingEntry {
 };
 struct TwistingEntry : FollowingEntry {
   bool acts;
-  double (*twist)(const Touch&, double contact_size, double limiting_force, double old_torque,
-                  const PairConstants&);
+  double (*twist)(const Touch&, double contact_size, double limiting_force, double dashpot,
+                  const PairConstants&, double& spring);
 };
 
 /// All parts, in the order of the lists above, which is also that of the kernels.

@@ -74,17 +74,17 @@ Response Law::evaluate(const Touch& touch, const Past& old, const PairConstants&
   Vec3 whole_force = touching * (tangential - force * touch.normal);
   tangential = touching * tangential;
 
-  double twist = 0.0;
+  double twist = 0.0, twisted = 0.0;  // torque, and the part of it that is remembered
   const Vec3 before = normal_before(touch.normal, touch.half_normal);
   if (twisting->acts) {
-    const double old_twist = dot(now.roll, before);
-    now.roll = now.roll - old_twist * before;
-    twist = twisting->twist(touch, n.contact_size, limit, old_twist, constants);
+    twisted = dot(now.roll, before);
+    now.roll = now.roll - twisted * before;
+    twist = twisting->twist(touch, n.contact_size, limit, c.tangential, constants, twisted);
   }
   Vec3 torque = rolling->roll(touch, n.contact_size, limit, constants, now.roll);
   if (twisting->acts) {
     torque = torque + twist * touch.normal;
-    now.roll = now.roll + twist * touch.normal;
+    now.roll = now.roll + twisted * touch.normal;
   }
 
   Vec3 drag{};

@@ -158,6 +158,29 @@ TEST(Twisting, ResistsSpinAboutTheNormalAndLeavesRollingAlone) {
   EXPECT_NEAR(answer(both, t).roll_torque.z, limit, 1e-9 * limit);
 }
 
+TEST(Twisting, IsDampedAsSlidingIsUntilItYields) {
+  const laws::Law law =
+      laws::find_law("hertz", "restitution", "total_spring", "none", "none", "elastic_plastic");
+  laws::Touch t = touch_of(1e-3, 1e-3, 1e-5);
+  // The dashpot of sliding, from a contact that slides a little.
+  t.velocity = {1e-9, 0, 0};
+  const double stiffness = 8.0 * 3e6 * grip(1e-5);
+  const double dashpot = -answer(law, t).force.x / 1e-9 - stiffness * t.dt;
+  ASSERT_GT(dashpot, 0.0);
+  t.velocity = {};
+  t.spin = {0, 0, 1e-3};
+  const laws::Response r = answer(law, t);
+  const double spring = stiffness * radius * radius * 1e-3 * t.dt;
+  EXPECT_NEAR(-r.roll_torque.z, spring + dashpot * radius * radius * 1e-3, 1e-9 * spring);
+  EXPECT_NEAR(-r.history.roll.z, spring, 1e-9 * spring) << "the dashpot is not remembered";
+  laws::Choices without;
+  without.tangential_damping = false;
+  EXPECT_NEAR(-answer(law, t, {}, without).roll_torque.z, spring, 1e-9 * spring);
+  t.spin = {0, 0, 1e9};
+  const double limit = 0.2 * radius * pressed(1e-5);
+  EXPECT_NEAR(-answer(law, t).roll_torque.z, limit, 1e-9 * limit);
+}
+
 TEST(Twisting, SurvivesATurningContact) {
   const laws::Law law = rolling("elastic_plastic", "elastic_plastic");
   laws::Touch t = touch_of(1e-3, 1e-3, 1e-5);

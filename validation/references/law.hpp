@@ -170,13 +170,17 @@ inline ReferenceResponse reference_response(const laws::Law& law, const laws::To
   if (law.twisting->acts && n.contact_size > 0) {
     const Quad k = g.tangential * g.contact_size * radius * radius,
                bound = static_cast<Quad>(m.twisting_friction) * radius;
-    Quad twist = old_twist - k * static_cast<Quad>(t.dt) * dot(quad(t.spin), half);
-    const Quad most = bound * g.limiting;
+    const Quad spin = dot(quad(t.spin), half), damping = g.damping * radius * radius;
+    Quad twist = old_twist - k * static_cast<Quad>(t.dt) * spin;
+    const Quad most = bound * g.limiting, terms = norm(quad(old.roll)) +
+                                                  k * static_cast<Quad>(t.dt) * norm(quad(t.spin)) +
+                                                  bound * g.limiting_terms;
+    r.on_the_edge |= damping > 0 && quad_magnitude(quad_magnitude(twist) - most) < 1e-9 * terms;
+    const bool yields = quad_magnitude(twist) > most;
     twist = twist > most ? most : twist < -most ? -most : twist;
     r.roll = r.roll + twist * normal;
-    r.roll_torque = r.roll_torque + twist * normal;
-    r.torque_terms = r.torque_terms + norm(quad(old.roll)) +
-                     k * static_cast<Quad>(t.dt) * norm(quad(t.spin)) + bound * g.limiting_terms;
+    r.roll_torque = r.roll_torque + (yields ? twist : twist - damping * spin) * normal;
+    r.torque_terms = r.torque_terms + terms + damping * norm(quad(t.spin));
   }
   const QuadVec drag = (-c.viscous_tangential) * reference_in_plane(g.slip, normal);
   const Quad normal_force = n.force + dashpot - c.pull + c.viscous_normal * closing;

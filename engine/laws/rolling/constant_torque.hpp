@@ -18,7 +18,7 @@ namespace pulvis::laws::rolling {
 /// Valid      steady rolling. At rest the direction flips from step to step: kinetic energy never dies out.
 /// Touch      no memory, nothing to forget at separation. Without spin the torque is zero.
 /// Energy     dissipative but for the flipping.
-/// Tests      tests/laws/rolling_test.cpp.
+/// Tests      tests/laws/rolling_test.cpp, validation/rolling.cpp.
 struct ConstantTorque {
   static constexpr const char* name = "constant_torque";
   static constexpr bool needs_sizes = false;

@@ -20,7 +20,7 @@ namespace pulvis::laws::rolling {
 ///            damped.
 /// Touch      T = 0. Separation: T is forgotten.
 /// Energy     T^2/(2 k_r) stored at fixed k_r; the limit dissipates.
-/// Tests      tests/laws/rolling_test.cpp, tests/verification/incline_test.cpp.
+/// Tests      tests/laws/rolling_test.cpp, validation/rolling.cpp, validation/rolling_pile.cpp.
 struct ElasticPlastic {
   static constexpr const char* name = "elastic_plastic";
   static constexpr bool needs_sizes = false;

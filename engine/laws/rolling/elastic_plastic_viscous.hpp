@@ -21,7 +21,7 @@ namespace pulvis::laws::rolling {
 /// Valid      as elastic_plastic; eta_r damps small rocking about rest.
 /// Touch      T_k = 0. Separation: T_k is forgotten.
 /// Energy     T_k^2/(2 k_r) stored at fixed k_r; the rest dissipates.
-/// Tests      tests/laws/rolling_test.cpp.
+/// Tests      tests/laws/rolling_test.cpp, validation/rolling.cpp.
 struct ElasticPlasticViscous {
   static constexpr const char* name = "elastic_plastic_viscous";
   static constexpr bool needs_sizes = true;
