@@ -64,13 +64,17 @@ Shown at_speed(Findings& f, const Named& who, double before) {
                   Compare::absolute, of_integration, after);
     return s;
   }
-  const auto sliding = [&](const char* what, double reference, auto value) {
-    compare_shown(f, name(what), gross_sliding, reference, s, Compare::relative, of_closed_form, value);
+  const auto sliding = [&](const char* what, double reference, auto value, std::optional<double> limit) {
+    compare_shown(f, name(what), gross_sliding, reference, s, Compare::relative, limit, value);
   };
-  sliding("psi_1 - psi_2, sliding", 7.0, change);
-  sliding("psi_1 - psi_2, sliding, lever R - delta", 2.0 + 5.0 * lever_share(m), change);
-  sliding("R omega/(mu v_n), sliding", 5.0, spin);
-  sliding("R omega/(mu v_n), sliding, lever R - delta", 5.0 * lever_share(m), spin);
+  // The published form is that of small overlaps. Deeper than a hundredth of the radius (polyethylene: 2.7 %) it is
+  // reported, and judged with the lever that friction has.
+  const bool shallow = m.largest_overlap() < 0.01 * radius;
+  const std::optional<double> published = shallow ? std::optional(of_closed_form) : std::nullopt;
+  sliding("psi_1 - psi_2, sliding", 7.0, change, published);
+  sliding("psi_1 - psi_2, sliding, lever R - delta", 2.0 + 5.0 * lever_share(m), change, of_closed_form);
+  sliding("R omega/(mu v_n), sliding", 5.0, spin, published);
+  sliding("R omega/(mu v_n), sliding, lever R - delta", 5.0 * lever_share(m), spin, of_closed_form);
   return s;
 }
 

@@ -138,9 +138,9 @@ PULVIS_INLINE void derive_geometry(ContactBlock& b, int k, double dt) {
   const Vec3 offset = NearestImage{b.period}(load(b.offset, k));
   const Vec3 half_offset = offset + (0.5 * dt) * load(b.velocity, k);  // where they were dt/2 ago
   const double distance = norm(offset);
-  store(b.normal, k, offset / distance);
+  store(b.normal, k, (1.0 / distance) * offset);
   const double half_distance = norm(half_offset);
-  store(b.half_normal, k, half_offset / half_distance);
+  store(b.half_normal, k, (1.0 / half_distance) * half_offset);
   const double r1 = b.radius_first[k], r2 = b.radius_second[k];
   const double m1 = b.mass_first[k], m2 = b.mass_second[k];
   const double overlap = (r1 + r2) - distance;
@@ -209,16 +209,16 @@ PULVIS_INLINE void evaluate_normal(ContactBlock& b, int k, const typename Part::
 
 template <class Part>
 PULVIS_INLINE void evaluate_damping(ContactBlock& b, int k, const typename Part::Pair& pair,
-                                    const laws::Whole& whole) {
+                                    const laws::Whole& whole, double dt) {
   laws::Touch touch;
-  look(b, k, 0.0, touch);
+  look(b, k, dt, touch);
   const laws::Normal n{b.elastic[k], b.contact_size[k], b.damping_size[k], b.limit_shift[k]};
   const laws::Dashpots c = Part::coefficients(n, touch.mass, pair);
   const double closing = laws::closing_speed(touch);
   b.closing[k] = closing;
   b.shared_spin[k] = 0.5 * dot(load(b.spin_first, k) + load(b.spin_second, k), touch.half_normal);
   store(b.slip, k, laws::slip_velocity(touch, closing));
-  const double dashpot = c.normal * closing;
+  const double dashpot = laws::dashpot_force(c.normal, closing, touch);
   b.normal_force[k] = n.elastic + dashpot;
   b.limiting_force[k] = laws::limiting_force(n, dashpot, whole);
   b.tangential_damping[k] = c.tangential;
@@ -322,12 +322,12 @@ static void normal_stage(ContactBlock& b, const double* constants, double) {
 }
 
 template <class Part>
-static void damping_stage(ContactBlock& b, const double* constants, double) {
+static void damping_stage(ContactBlock& b, const double* constants, double dt) {
   const auto pair = laws::unpack<typename Part::Pair>(constants, laws::Place::damping);
   const auto whole = laws::unpack<laws::Whole>(constants, laws::Place::whole);
   const int count = b.count;
 #pragma omp simd
-  for (int k = 0; k < count; ++k) evaluate_damping<Part>(b, k, pair, whole);
+  for (int k = 0; k < count; ++k) evaluate_damping<Part>(b, k, pair, whole, dt);
 }
 
 template <class Part>

@@ -7,9 +7,10 @@
 // How the parts of a contact law work together. The same law acts between parcels and on walls.
 //
 //   v_n = v . n_h  (closing speed),  v_t = v - v_n n_h               mid-step
-//   F_n = F_elastic + c_n v_n - F_c + c_b v_n      F_c, c_b: pull and viscosity of the law of cohesion
+//   F_n = F_elastic + F_d - F_c + c_b v_n      F_c, c_b: pull and viscosity of the law of cohesion
+//   F_d = c_n v_n/(1 + c_n dt/(4 m*))          see dashpot_force
 //   N   = |F_elastic + shift + limit|              limits friction and rolling
-//   limit "elastic" (default): 0;  "total" (as LIGGGHTS): c_n v_n
+//   limit "elastic" (default): 0;  "total" (as LIGGGHTS): F_d
 //   with cohesion "without": nothing more; "with": - F_c; "shifted": - F_c + 2 F_po
 //   force on the first = -F_n n + F_t
 //
@@ -75,6 +76,14 @@ PULVIS_INLINE double touches(double overlap, double was_touching, double formati
 
 /// Closing speed, m/s.
 PULVIS_INLINE double closing_speed(const Touch& touch) { return dot(touch.velocity, touch.half_normal); }
+
+/// Force of the normal dashpot, N:  c v_n/(1 + c dt/(4 m*)).
+/// v_n is half a step old. By that alone a damped oscillator gains a factor (1 + c dt/(2 m*)) in its damping and,
+/// since the spring pulled meanwhile, in its stiffness: in its damping ratio the root of it. The divisor takes that
+/// back to first order in dt, so that collisions show the restitution asked for; at rest it changes nothing.
+PULVIS_INLINE double dashpot_force(double coefficient, double closing, const Touch& touch) {
+  return coefficient * closing * touch.mass / (touch.mass + 0.25 * touch.dt * coefficient);
+}
 
 /// Tangential velocity in the contact plane in the middle of the step, m/s.
 PULVIS_INLINE Vec3 slip_velocity(const Touch& touch, double closing) {

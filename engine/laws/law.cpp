@@ -52,7 +52,7 @@ Response Law::evaluate(const Touch& touch, const Past& old, const PairConstants&
   const Dashpots c = damping->coefficients(n, touch.mass, constants);
   const double closing = closing_speed(touch);
   const Vec3 slip = slip_velocity(touch, closing);
-  const double dashpot = c.normal * closing;
+  const double dashpot = dashpot_force(c.normal, closing, touch);
   double force = n.elastic + dashpot;
   double limit = limiting_force(n, dashpot, whole);
 

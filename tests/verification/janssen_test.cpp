@@ -93,15 +93,15 @@ Column settle_lower_and_look(std::uint64_t seed) {
   Simulation s(m, Simulation::initial_state(m), 1);
   s.open_source(0);
   for (int k = 0; k < 15000; ++k) s.step();
-  // Half a bead's way until friction is roused everywhere, then the mean over a third of one: long enough that
-  // what the powder gains in momentum is below a thousandth of its weight.
+  // Half a bead's way until friction is roused everywhere, then the mean over half of one: long enough that what the
+  // powder gains in momentum is below a thousandth of its weight, and looked at often enough for its jerks.
   s.start_motion(0);
   for (int k = 0; k < 16000; ++k) s.step();
   Column sum;
-  constexpr int looks = 500;
-  for (int k = 0; k < 20 * looks; ++k) {
+  constexpr int looks = 3000;
+  for (int k = 0; k < 5 * looks; ++k) {
     s.step();
-    if (k % 20 == 0) look(s, sum);
+    if (k % 5 == 0) look(s, sum);
   }
   for (double* value : {&sum.weight, &sum.borne, &sum.floor}) *value /= looks;
   for (std::vector<double>* list : {&sum.above, &sum.stress})

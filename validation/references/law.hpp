@@ -138,7 +138,9 @@ inline ReferenceResponse reference_response(const laws::Law& law, const laws::To
       damped ? reference_dashpot(n.normal * damping_size, mass, m.restitution, n.damping_shape) : 0;
 
   const QuadVec velocity = quad(t.velocity);
-  const Quad closing = dot(velocity, half), dashpot = c_normal * closing;
+  const Quad closing = dot(velocity, half), dt = t.dt;
+  // The velocity is half a step old.
+  const Quad dashpot = c_normal * closing / (1 + c_normal * dt / (4 * mass));
   ReferenceGrip g;
   g.slip = velocity - closing * half;
   g.contact_size = n.contact_size;
