@@ -10,6 +10,7 @@
 #include "apps/templates.hpp"
 #include "case/reader.hpp"
 #include "output/safe_file.hpp"
+#include "run/law_report.hpp"
 #include "run/preflight.hpp"
 #include "run/run_case.hpp"
 #include "run/stop_request.hpp"
@@ -48,6 +49,20 @@ Exit check(const std::string& file, const std::vector<std::string>& settings) {
   return Exit::ok;
 }
 
+Exit law(const std::string& file, const std::vector<std::string>& settings,
+         const std::vector<std::string>& pair, const std::vector<std::string>& speeds,
+         const std::string& out) {
+  pulvis::LawRequest request{pair, {}};
+  for (const std::string& speed : speeds) request.speeds.push_back(pulvis::speed_from(speed));
+  const pulvis::Case c = pulvis::read_case(file, overrides_from(settings));
+  const pulvis::Assembly assembly = pulvis::assemble(c);
+  const pulvis::LawReport report = pulvis::law_report(c, assembly, pulvis::forecast(c, assembly), request);
+  if (!out.empty()) pulvis::write_curves(out, report);
+  fmt::print("{}", report.text);
+  for (const auto& warning : report.warnings) fmt::print(stderr, "warning: {}\n", warning);
+  return Exit::ok;
+}
+
 Exit make_new(const std::string& name, const std::string& folder) {
   for (const auto& t : pulvis::templates()) {
     if (t.name != name) continue;
@@ -82,7 +97,8 @@ int main(int argc, char** argv) {
 
   pulvis::RunRequest request;
   std::vector<std::string> settings;
-  std::string file, key, name, folder;
+  std::vector<std::string> pair, speeds;
+  std::string file, key, name, folder, out;
 
   auto* run = app.add_subcommand("run", "run a case");
   run->add_option("CASE", request.case_file, "case file (TOML)")->required();
@@ -117,6 +133,28 @@ int main(int argc, char** argv) {
       "parcel that is simulated in its stead.");
   check_command->add_option("CASE", file, "case file (TOML)")->required();
   check_command->add_option("--set", settings, "override a key: --set key.path=value (repeatable)")
+      ->allow_extra_args(false);
+
+  auto* law_command = app.add_subcommand(
+      "law",
+      "print what the contact law makes of one contact, for each pair of materials; simulates nothing");
+  law_command->footer(
+      "Prints, for a real grain and for the parcel simulated in its stead, pull-off force, work of "
+      "separation,\n"
+      "sticking speed and the restitution that collisions really show. Everything is asked of the law "
+      "itself: slow\n"
+      "pressing and pulling, and collisions integrated in time.\n"
+      "Example: pulvis law case.toml --pair molybdenum steel --speed '0.1 m/s' --out curves");
+  law_command->add_option("CASE", file, "case file (TOML)")->required();
+  law_command->add_option("--pair", pair, "two materials or powders; default: every pair")->expected(2);
+  law_command
+      ->add_option("--speed", speeds,
+                   "speed of collisions, e.g. '0.1 m/s' (repeatable); default: parts of the "
+                   "characteristic speed")
+      ->allow_extra_args(false);
+  law_command->add_option("--out", out,
+                          "folder for the load-unload curves: an SVG figure and a CSV file each");
+  law_command->add_option("--set", settings, "override a key: --set key.path=value (repeatable)")
       ->allow_extra_args(false);
 
   auto* new_command = app.add_subcommand("new", "write a case to start from");
@@ -169,6 +207,8 @@ int main(int argc, char** argv) {
       result = pulvis::run_case(request);
     } else if (*check_command) {
       result = check(file, settings);
+    } else if (*law_command) {
+      result = law(file, settings, pair, speeds, out);
     } else if (*new_command) {
       result = make_new(name, folder);
     } else if (*validate) {

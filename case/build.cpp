@@ -126,6 +126,9 @@ class Builder {
     result.friction = section.optional_number("friction");
     result.rolling_friction = section.optional_number("rolling_friction");
     result.work_of_adhesion = section.optional_number("work_of_adhesion");
+    for (const auto& [key, setting] : section.settings)
+      if (setting.valid && find_key("contact", key) != nullptr)
+        result.numbers.emplace_back(key, (key == "contact_angle" ? 2.0 * pi : 1.0) * setting.numbers.front());
     return result;
   }
 

@@ -35,6 +35,8 @@ struct PairOverride {
   std::size_t first = 0, second = 0;  ///< indices into Case::materials
   std::optional<double> restitution, friction, rolling_friction;
   std::optional<double> work_of_adhesion;  ///< W, J/m^2
+  /// Numbers of the contact law, by the names they have in ContactChoice; SI, angles in rad.
+  std::vector<std::pair<std::string, double>> numbers;
 };
 
 /// Distribution of grain diameters (of the real powder, before coarse graining).
@@ -63,7 +65,7 @@ struct Powder {
 };
 
 /// Names of the contact law's parts and its named choices, text as in the catalogue of laws; and the numbers its
-/// parts need, of grains, alike for all pairs (see laws::MaterialPair).
+/// parts need, of grains, for all pairs that do not state their own (see laws::MaterialPair).
 struct ContactChoice {
   std::string normal = "hertz", cohesion = "none", damping = "restitution", sliding = "total_spring";
   std::string rolling = "none", twisting = "none";

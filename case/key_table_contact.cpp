@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
 #include "case/key_rows.hpp"
 
 // The part of the key table on the contact law: which parts it is made of, and the numbers they need. Names are
@@ -276,12 +278,35 @@ void append_other_numbers(Keys& keys) {
          });
 }
 
+/// The numbers of the law once more, for pairs of materials that have their own. The exponents stay: they are the
+/// law's. Where a number is a cohesion's strength, a pair may have none.
+void append_numbers_of_pairs(Keys& keys) {
+  Keys own;
+  for (const Key& key : keys) {
+    const std::string leaf = leaf_of(key.pattern);
+    const bool is_number = key.kind == quantity || key.kind == number;
+    if (parent_pattern(key.pattern) != "contact" || !is_number || leaf.ends_with("_exponent")) continue;
+    Key row = key;
+    row.pattern = "pairs[]." + leaf;
+    row.presence = optional;
+    row.standard.clear();
+    row.when_unset = "that of contact";
+    row.only_when = {};
+    if (leaf == "surface_tension" || leaf == "hamaker_constant") row.range = not_negative;
+    row.help =
+        fmt::format("between the two: {} (where contact.{})", key.help, describe_condition(key.only_when));
+    own.push_back(row);
+  }
+  append(keys, own);
+}
+
 }  // namespace
 
 void append_contact(Keys& keys) {
   append_parts(keys);
   append_normal_numbers(keys);
   append_other_numbers(keys);
+  append_numbers_of_pairs(keys);
 }
 
 }  // namespace pulvis::case_file

@@ -44,6 +44,12 @@ const std::vector<const Key*>& keys_in(std::string_view table_pattern) {
   return found != children.end() ? found->second : none;
 }
 
+const Key* find_key(std::string_view table_pattern, std::string_view leaf) {
+  for (const Key* key : keys_in(table_pattern))
+    if (leaf_of(key->pattern) == leaf) return key;
+  return nullptr;
+}
+
 bool is_table(KeyKind kind) {
   return kind == KeyKind::table || kind == KeyKind::named_tables || kind == KeyKind::listed_tables;
 }

@@ -86,6 +86,9 @@ std::string element_pattern(const Key& key);
 /// The keys that stand directly in a table.
 const std::vector<const Key*>& keys_in(std::string_view table_pattern);
 
+/// The key of this name in a table, or nullptr.
+const Key* find_key(std::string_view table_pattern, std::string_view leaf);
+
 bool is_table(KeyKind kind);
 
 /// "a pressure with its unit", "one of \"hertz\", \"jkr\"": what a value of this key is.

@@ -139,6 +139,37 @@ void pairs_once(const Section& root, ProblemList& problems) {
   }
 }
 
+// A number of the contact law that the law of this case does not ask for would be silently ignored.
+void pairs_fit_the_law(const Section& root, ProblemList& problems) {
+  const Section& contact = root.table("contact");
+  for (const Section& pair : root.group("pairs"))
+    for (const auto& [name, setting] : pair.settings) {
+      const Key* key = find_key("contact", name);
+      if (key == nullptr || !setting.given) continue;
+      const std::string* part = contact.optional_text(key->only_when.key);
+      const auto& parts = key->only_when.values;
+      if (part == nullptr || std::find(parts.begin(), parts.end(), *part) != parts.end()) continue;
+      problems.add(setting.key_place,
+                   fmt::format("{} has no meaning where contact.{} is \"{}\"", setting.path,
+                               key->only_when.key, *part),
+                   fmt::format("it counts where contact.{}", describe_condition(key->only_when)));
+    }
+}
+
+// A range cannot say this; another number would be taken for the nearest law.
+void exponents_exist(const Section& contact, ProblemList& problems) {
+  const auto one_of = [&](const char* name, const std::vector<double>& values, const char* expected) {
+    const Setting* setting = contact.find(name);
+    if (setting == nullptr || std::find(values.begin(), values.end(), setting->numbers[0]) != values.end())
+      return;
+    problems.add(setting->place,
+                 fmt::format("{} = {:g} is no exponent of the law", setting->path, setting->numbers[0]),
+                 expected);
+  };
+  one_of("loading_exponent", {1.0, 1.5}, "expected 1 or 1.5");
+  one_of("adhesion_exponent", {1.0, 1.5, 2.0}, "expected 1, 1.5 or 2");
+}
+
 void not_below(const Section& section, const std::string& small, const std::string& large,
                ProblemList& problems) {
   const Setting *low = section.find(small), *high = section.find(large);
@@ -305,6 +336,8 @@ std::vector<std::size_t> walls_with_inside(const Section& root) {
 void check_rules(const Section& root, ProblemList& problems) {
   corners_in_order(root.table("domain"), problems);
   pairs_once(root, problems);
+  pairs_fit_the_law(root, problems);
+  exponents_exist(root.table("contact"), problems);
   for (const Section& powder : root.group("powders")) sizes(powder, problems);
   for (const Section& wall : root.group("walls")) {
     corners_in_order(wall, problems);

@@ -9,6 +9,7 @@
 
 #include "run/bed_file.hpp"
 #include "run/build_walls.hpp"
+#include "run/pair_law.hpp"
 #include "run/problems.hpp"
 #include "run/source_checks.hpp"
 
@@ -43,30 +44,17 @@ void check_keep(const Case& c, const Assembly& a, Problems& problems) {
   }
 }
 
-laws::Choices law_choices(const ContactChoice& c) {
-  laws::Choices choices;
-  choices.limit_includes_dashpot = c.friction_limit == "total";
-  choices.damping_on_jkr_radius = c.damping_radius == "jkr_radius";
-  choices.tangential_damping = c.tangential_damping;
-  choices.cohesion_limit = c.cohesion_in_limit == "without"   ? laws::CohesionLimit::without
-                           : c.cohesion_in_limit == "with"    ? laws::CohesionLimit::with
-                           : c.cohesion_in_limit == "shifted" ? laws::CohesionLimit::shifted
-                                                              : laws::CohesionLimit::standard;
-  choices.bridges_form_on_approach = c.bridges_form == "approach";
-  choices.linear_loading = c.loading_exponent == 1.0;
-  choices.adhesion_exponent = c.adhesion_exponent;
-  return choices;
-}
-
 /// What the law itself refuses, said once for each pair of species.
 void check_law(const Case& c, const std::vector<Species>& species, const std::vector<PairProperties>& pairs,
                Problems& problems) {
-  const laws::Law law = laws::find_law({c.contact.normal, c.contact.damping, c.contact.sliding,
-                                        c.contact.rolling, c.contact.cohesion, c.contact.twisting});
-  for (const PairProperties& p : pairs)
+  for (const PairProperties& p : pairs) {
+    laws::Law law = named_law(c.contact);
+    // A pair may have no bridges or no tail, which the law itself does not know as a value.
+    if (law.cohesion->reaches) law.cohesion = pair_law(c.contact, p.real).cohesion;
     for (const std::string& problem : law.problems(p.real, law_choices(c.contact)))
       problems.add("contact",
                    fmt::format("{} / {}: {}", species[p.first].name, species[p.second].name, problem));
+  }
 }
 
 ContactClasses contact_classes(const Case& c, const std::vector<Species>& species,
@@ -75,10 +63,7 @@ ContactClasses contact_classes(const Case& c, const std::vector<Species>& specie
   ContactClasses classes(species.size());
   for (const PairProperties& p : pairs) {
     ContactClass contact;
-    // Without adhesion Hertz is the limit of JKR, and cheaper.
-    const bool plain = c.contact.normal == "jkr" && p.simulated.work_of_adhesion == 0.0;
-    contact.law = laws::find_law({plain ? "hertz" : c.contact.normal, c.contact.damping, c.contact.sliding,
-                                  c.contact.rolling, c.contact.cohesion, c.contact.twisting});
+    contact.law = pair_law(c.contact, p.simulated);
     contact.constants = contact.law.mix(p.simulated, choices);
     contact.kernel = kernels::contact_kernel(contact.law, kernels::instruction_set());
     classes.set(p.first, p.second, contact);

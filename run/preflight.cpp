@@ -8,35 +8,17 @@
 #include <cmath>
 
 #include "case/units.hpp"
-#include "engine/laws/estimates.hpp"
 #include "run/body_pull.hpp"
 #include "run/build_walls.hpp"
+#include "run/pair_law.hpp"
+#include "run/pair_numbers.hpp"
+#include "run/pair_warnings.hpp"
 #include "run/source_checks.hpp"
 
 namespace pulvis {
 namespace {
 
 constexpr double bytes_per_parcel = 1000.0;  // peak of the program on dense beds; see bench/step_time
-constexpr double most_resting_overlap = 0.01, most_impact_overlap = 0.05;  // over the radius
-
-/// The d50 sphere of a powder against another of a second, or against a wall.
-struct Sizes {
-  double radius, mass;  ///< reduced
-  double own_radius, own_mass;
-};
-
-Sizes sizes_of(const Case& c, const Species& a, const Species& b, bool parcels) {
-  const auto sphere = [&](const Species& s, double& r, double& m) {
-    const Powder& p = c.powders[s.powder];
-    r = 0.5 * SizeSampler(parcels ? parcel_sizes(p) : grain_sizes(p)).median_by_mass();
-    m = c.materials[s.material].density * sphere_volume(r);
-  };
-  double r1 = 0, m1 = 0, r2 = 0, m2 = 0;
-  sphere(a, r1, m1);
-  if (!b.is_powder) return {r1, m1, r1, m1};
-  sphere(b, r2, m2);
-  return {r1 * r2 / (r1 + r2), m1 * m2 / (m1 + m2), r1, m1};
-}
 
 /// Pressure under the expected bed, Pa: its weight over the smallest footprint of a wall that could hold it.
 double bed_stress(const Case& c, const Walls& walls, double mass) {
@@ -59,32 +41,29 @@ double bed_stress(const Case& c, const Walls& walls, double mass) {
 }
 
 PairForecast forecast_pair(const Case& c, const Assembly& a, const PairProperties& p, double stress) {
-  const Species &s1 = a.species[p.first], &s2 = a.species[p.second];
-  const Sizes grain = sizes_of(c, s1, s2, false), parcel = sizes_of(c, s1, s2, true);
-  const double g = std::max(norm(strongest_pull(c)), 1e-300);
-  const double w0 = p.real.work_of_adhesion, w = p.simulated.work_of_adhesion;
-  const double e0 = p.real.effective_modulus, e = p.simulated.effective_modulus;
+  const double speed = a.time_step.characteristic_speed;
+  const PairNumbers grain = pair_numbers(c, a.species, p, Scale::grain, stress, speed),
+                    parcel = pair_numbers(c, a.species, p, Scale::parcel, stress, speed);
   PairForecast f;
-  f.first = s1.name;
-  f.second = s2.name;
-  const bool adheres = c.contact.normal == "jkr" && w > 0.0;
-  if (adheres) {
-    f.pull_off_real = laws::jkr_pull_off(grain.radius, w0);
-    f.pull_off = laws::jkr_pull_off(parcel.radius, w);
-    f.bond_real = f.pull_off_real / (grain.own_mass * g);
-    f.bond = f.pull_off / (parcel.own_mass * g);
-    f.sticking_speed_real = laws::jkr_sticking_speed(grain.mass, grain.radius, e0, w0);
-    f.sticking_speed = laws::jkr_sticking_speed(parcel.mass, parcel.radius, e, w);
-  }
-  // A contact at the bottom carries about the pressure times the square of a diameter.
-  const double force =
-      std::max(stress * square(2.0 * parcel.own_radius), parcel.own_mass * norm(strongest_pull(c)));
-  f.resting_overlap = (adheres ? laws::jkr_overlap_under(force, parcel.radius, e, w)
-                               : laws::hertz_overlap_under(force, parcel.radius, e)) /
-                      parcel.own_radius;
-  f.impact_overlap =
-      laws::hertz_largest_overlap(parcel.mass, parcel.radius, e, a.time_step.characteristic_speed) /
-      parcel.own_radius;
+  f.first = a.species[p.first].name;
+  f.second = a.species[p.second].name;
+  f.pull_off_real = grain.adhesion.pull_off;
+  f.pull_off = parcel.adhesion.pull_off;
+  f.bond_real = grain.bond();
+  f.bond = parcel.bond();
+  f.sticking_speed_real = grain.undamped_sticking.highest;
+  f.sticking_speed = parcel.undamped_sticking.highest;
+  f.coheres = cohesion_strength(c.contact, p.simulated) > 0.0;
+  f.holds = parcel.adhesion.holds;
+  // What a law that yields keeps of an overlap is its dent, not softness.
+  if (!parcel.contact.remembers()) f.own_overlap = parcel.adhesion.zero_force_overlap / parcel.radius;
+  f.resting_overlap = parcel.contact.overlap_under(parcel.load).value_or(parcel.radius) / parcel.radius;
+  const single_contact::Collision shown = single_contact::collide(parcel.contact, speed),
+                                  undamped = single_contact::collide(parcel.contact.undamped(), speed);
+  f.impact_overlap = undamped.largest_overlap / parcel.radius;
+  f.restitution = parcel.restitution;
+  f.restitution_shown = shown.restitution;
+  f.undamped_restitution = undamped.restitution;
   return f;
 }
 
@@ -103,35 +82,14 @@ void add_warnings(const Case& c, const Assembly& a, Forecast& f) {
   for (const SourceModel& source : a.model.sources)
     if (const std::string warning = rain_warning(source, strongest_pull(c)); !warning.empty())
       f.warnings.push_back(warning);
-  for (const PairForecast& p : f.pairs) {
-    if (p.resting_overlap > most_resting_overlap)
-      f.warnings.push_back(
-          fmt::format("{} / {}: expected overlap at rest is {:.2f} % of the radius (above 1 %): raise "
-                      "simulated_modulus",
-                      p.first, p.second, 100 * p.resting_overlap));
-    if (p.impact_overlap > most_impact_overlap)
-      f.warnings.push_back(
-          fmt::format("{} / {}: impacts at {:.3g} m/s overlap by {:.1f} % of the radius (above 5 %): "
-                      "raise simulated_modulus",
-                      p.first, p.second, a.time_step.characteristic_speed, 100 * p.impact_overlap));
-  }
-  for (const PairProperties& p : a.pairs) {
-    if (p.real.work_of_adhesion == 0.0 || c.contact.normal == "jkr" || c.contact.normal == "edinburgh" ||
-        c.contact.cohesion == "dmt")
-      continue;
-    f.warnings.push_back(
-        fmt::format("{} / {} has surface energy, but contact.normal = \"{}\" knows no adhesion",
-                    a.species[p.first].name, a.species[p.second].name, c.contact.normal));
-  }
-  bool adheres = false;
-  for (const PairForecast& p : f.pairs) adheres = adheres || p.pull_off > 0.0;
-  for (const PairForecast& p : f.pairs)
-    if (adheres && p.pull_off == 0.0)
-      f.warnings.push_back(fmt::format("{} / {} does not adhere although other pairs do", p.first, p.second));
+  for (const std::string& warning : pair_warnings(c, a, f.pairs)) f.warnings.push_back(warning);
 }
 
 std::string force_text(double newton) { return newton > 0 ? format_quantity(newton, dimension::force) : "-"; }
-std::string speed_text(double speed) { return speed > 0 ? format_quantity(speed, dimension::speed) : "-"; }
+std::string speed_text(double speed) {
+  if (std::isinf(speed)) return "any";
+  return speed > 0 ? format_quantity(speed, dimension::speed) : "-";
+}
 std::string number_text(double value) { return value > 0 ? fmt::format("{:.4g}", value) : "-"; }
 
 /// Half the way of a motion that swings to and fro, m, and its direction.
@@ -225,16 +183,22 @@ std::string check_report(const Case& c, const Assembly& a, const Forecast& f) {
                       std::ceil(f.memory / 1e6), format_quantity(f.bed_stress, dimension::pressure));
   for (const std::string& note : a.notes) text += note + "\n";
   for (const Motion& motion : c.motions) text += motion_line(motion) + "\n";
-  text += fmt::format("\n{:<34} {:>12} {:>12} {:>10} {:>10} {:>12} {:>12} {:>9} {:>9}\n", "pair (d50)",
-                      "pull-off", "pull-off", "Bond", "Bond", "sticking", "sticking", "overlap", "overlap");
-  text += fmt::format("{:<34} {:>12} {:>12} {:>10} {:>10} {:>12} {:>12} {:>9} {:>9}\n", "", "real grain",
-                      "simulated", "real", "simulated", "speed real", "simulated", "at rest", "impact");
+  text += fmt::format("\n{:<34} {:>12} {:>12} {:>10} {:>10} {:>12} {:>12} {:>9} {:>9} {:>15}\n", "pair (d50)",
+                      "pull-off", "pull-off", "Bond", "Bond", "sticking", "sticking", "overlap", "overlap",
+                      "restitution");
+  text += fmt::format("{:<34} {:>12} {:>12} {:>10} {:>10} {:>12} {:>12} {:>9} {:>9} {:>15}\n", "",
+                      "real grain", "simulated", "real", "simulated", "speed real", "simulated", "at rest",
+                      "impact", "asked / shown");
   for (const PairForecast& p : f.pairs)
-    text += fmt::format("{:<34} {:>12} {:>12} {:>10} {:>10} {:>12} {:>12} {:>8.3f}% {:>8.2f}%\n",
+    text += fmt::format("{:<34} {:>12} {:>12} {:>10} {:>10} {:>12} {:>12} {:>8.3f}% {:>8.2f}% {:>15}\n",
                         p.first + " / " + p.second, force_text(p.pull_off_real), force_text(p.pull_off),
                         number_text(p.bond_real), number_text(p.bond), speed_text(p.sticking_speed_real),
-                        speed_text(p.sticking_speed), 100 * p.resting_overlap, 100 * p.impact_overlap);
-  text += "(Bond: pull-off force over the weight of the d50 sphere; overlaps over the radius)\n";
+                        speed_text(p.sticking_speed), 100 * p.resting_overlap, 100 * p.impact_overlap,
+                        fmt::format("{:.3g} / {:.3g}", p.restitution, p.restitution_shown));
+  text +=
+      "(Bond: pull-off force over the weight of the d50 sphere; sticking speed without damping; overlaps "
+      "over the "
+      "radius;\nrestitution of parcels at the characteristic speed. More of it: pulvis law)\n";
   return text;
 }
 

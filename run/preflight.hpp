@@ -8,15 +8,21 @@
 
 namespace pulvis {
 
-/// One pair of species seen before the run, for parcels of the d50 size; grain values in brackets of
-/// `pulvis check` are the real powder's.
+/// One pair of species seen before the run, for spheres of the d50 size, as single_contact finds it from the law;
+/// `_real` is the powder's grain, the rest the parcel.
 struct PairForecast {
   std::string first, second;
   double pull_off_real = 0.0, pull_off = 0.0;  ///< N: grain with real modulus; parcel as simulated
   double bond_real = 0.0, bond = 0.0;          ///< pull-off over weight of the d50 grain; parcel
   double sticking_speed_real = 0.0, sticking_speed = 0.0;  ///< m/s
+  double own_overlap = 0.0;      ///< over the radius, where parcels rest under their own attraction
   double resting_overlap = 0.0;  ///< over the radius, under the bed's weight and its own adhesion
-  double impact_overlap = 0.0;   ///< over the radius, at the characteristic speed
+  double impact_overlap = 0.0;   ///< over the radius, of an undamped collision at the characteristic speed
+  // Coefficient of restitution of parcels at the characteristic speed; without damping, the largest that any
+  // dashpot could show.
+  double restitution = 1.0, restitution_shown = 1.0, undamped_restitution = 1.0;
+  bool coheres = false;  ///< has an attraction, even one without a pull-off force of its own
+  bool holds = true;     ///< false: the attraction exceeds the stiffness at any overlap
 };
 
 struct Forecast {

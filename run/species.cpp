@@ -24,32 +24,46 @@ double mix(Mixing rule, double a, double b) {
   return a == b ? a : root(a * b);
 }
 
-const PairOverride* find_override(const Case& c, std::size_t a, std::size_t b) {
-  for (const auto& pair : c.pairs)
-    if ((pair.first == a && pair.second == b) || (pair.first == b && pair.second == a)) return &pair;
-  return nullptr;
-}
+/// The numbers of the contact law: their name, where a case has them for all pairs, and where a pair has them.
+struct LawNumber {
+  const char* name;
+  double ContactChoice::*of_all;
+  double laws::MaterialPair::*of_pair;
+};
+#define PULVIS_LAW_NUMBER(name) \
+  { #name, &ContactChoice::name, &laws::MaterialPair::name }
+constexpr LawNumber law_numbers[] = {PULVIS_LAW_NUMBER(rolling_viscosity),
+                                     PULVIS_LAW_NUMBER(twisting_friction),
+                                     PULVIS_LAW_NUMBER(normal_stiffness),
+                                     PULVIS_LAW_NUMBER(characteristic_speed),
+                                     PULVIS_LAW_NUMBER(tangential_ratio),
+                                     PULVIS_LAW_NUMBER(plastic_ratio),
+                                     PULVIS_LAW_NUMBER(adhesion_ratio),
+                                     PULVIS_LAW_NUMBER(plasticity_depth),
+                                     PULVIS_LAW_NUMBER(unloading_ratio),
+                                     PULVIS_LAW_NUMBER(constant_pull),
+                                     PULVIS_LAW_NUMBER(cohesion_energy_density),
+                                     PULVIS_LAW_NUMBER(surface_tension),
+                                     PULVIS_LAW_NUMBER(contact_angle),
+                                     PULVIS_LAW_NUMBER(liquid_content),
+                                     PULVIS_LAW_NUMBER(liquid_viscosity),
+                                     PULVIS_LAW_NUMBER(shortest_bridge_gap),
+                                     PULVIS_LAW_NUMBER(hamaker_constant),
+                                     PULVIS_LAW_NUMBER(shortest_gap),
+                                     PULVIS_LAW_NUMBER(longest_gap)};
+#undef PULVIS_LAW_NUMBER
 
-void add_law_numbers(const ContactChoice& c, laws::MaterialPair& pair) {
-  pair.rolling_viscosity = c.rolling_viscosity;
-  pair.twisting_friction = c.twisting_friction;
-  pair.normal_stiffness = c.normal_stiffness;
-  pair.characteristic_speed = c.characteristic_speed;
-  pair.tangential_ratio = c.tangential_ratio;
-  pair.plastic_ratio = c.plastic_ratio;
-  pair.adhesion_ratio = c.adhesion_ratio;
-  pair.plasticity_depth = c.plasticity_depth;
-  pair.unloading_ratio = c.unloading_ratio;
-  pair.constant_pull = -c.constant_pull;
-  pair.cohesion_energy_density = c.cohesion_energy_density;
-  pair.surface_tension = c.surface_tension;
-  pair.contact_angle = c.contact_angle;
-  pair.liquid_content = c.liquid_content;
-  pair.liquid_viscosity = c.liquid_viscosity;
-  pair.shortest_bridge_gap = c.shortest_bridge_gap;
-  pair.hamaker_constant = c.hamaker_constant;
-  pair.shortest_gap = c.shortest_gap;
-  pair.longest_gap = c.longest_gap;
+void add_law_numbers(const ContactChoice& all, const PairOverride* own, laws::MaterialPair& pair) {
+  for (const LawNumber& number : law_numbers) pair.*number.of_pair = all.*number.of_all;
+  if (own != nullptr) {
+    for (const auto& [name, value] : own->numbers)
+      if (name == "characteristic_speed")
+        pair.normal_stiffness = 0.0;  // that of all pairs would go before it
+    for (const auto& [name, value] : own->numbers)
+      for (const LawNumber& number : law_numbers)
+        if (name == number.name) pair.*number.of_pair = value;
+  }
+  pair.constant_pull = -pair.constant_pull;  // positive in a case
 }
 
 /// Stress similarity: at the same overlap or gap over the radius, forces grow with alpha^2.
@@ -75,8 +89,9 @@ laws::MaterialPair real_pair(const Case& c, const Species& a, const Species& b) 
   pair.friction = mix(c.mixing, ma.friction, mb.friction);
   pair.rolling_friction = mix(c.mixing, ma.rolling_friction, mb.rolling_friction);
   pair.work_of_adhesion = 2.0 * root(ma.surface_energy * mb.surface_energy);
-  add_law_numbers(c.contact, pair);
-  if (const PairOverride* own = find_override(c, a.material, b.material)) {
+  const PairOverride* own = find_override(c, a.material, b.material);
+  add_law_numbers(c.contact, own, pair);
+  if (own != nullptr) {
     pair.restitution = own->restitution.value_or(pair.restitution);
     pair.friction = own->friction.value_or(pair.friction);
     pair.rolling_friction = own->rolling_friction.value_or(pair.rolling_friction);
@@ -101,6 +116,12 @@ laws::MaterialPair simulated_pair(const Case& c, const Species& a, const Species
 }
 
 }  // namespace
+
+const PairOverride* find_override(const Case& c, std::size_t a, std::size_t b) {
+  for (const auto& pair : c.pairs)
+    if ((pair.first == a && pair.second == b) || (pair.first == b && pair.second == a)) return &pair;
+  return nullptr;
+}
 
 SizeLaw grain_sizes(const Powder& powder) {
   const SizeDistribution& s = powder.size;

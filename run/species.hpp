@@ -39,6 +39,9 @@ std::vector<Species> species_of(const Case& c);
 std::size_t species_of_powder(std::size_t powder);
 std::size_t species_of_material(const std::vector<Species>& species, std::size_t material);
 
+/// What the case states for a pair of materials by itself, or nullptr.
+const PairOverride* find_override(const Case& c, std::size_t first_material, std::size_t second_material);
+
 /// Mixes every pair of species of which at least one is a powder. The simulated pair follows from the real
 /// one in two steps, both stated in NOTATION:
 ///   softening        keep = pull_off: W stays; keep = sticking_speed: W (E*_sim/E*_real)^(2/5)

@@ -19,6 +19,12 @@ struct Chapter {
 };
 const std::vector<Chapter>& chapters();
 
+void capillary(Findings&, Effort);
+void chung_ooi(Findings&, Effort);
+void every_law(Findings&, Effort);
 void jkr(Findings&, Effort);
+void restitution(Findings&, Effort);
+void symmetry(Findings&, Effort);
+void triangulated_walls(Findings&, Effort);
 
 }  // namespace pulvis::validation

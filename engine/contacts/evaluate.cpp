@@ -18,33 +18,39 @@ inline void put(Lanes3& lanes, int k, const Vec3& v) {
 }
 inline Vec3 get(const Lanes3& lanes, int k) { return {lanes.x[k], lanes.y[k], lanes.z[k]}; }
 
-template <class Near>
-void stage_history(ContactBlock& b, int k, std::uint32_t slot, const Near& near) {
+void stage_history(ContactBlock& b, int k, std::uint32_t slot, const NearWalls& near) {
   b.slot[k] = slot;
   b.touching[k] = near.touching[slot] ? 1.0 : 0.0;
-  put(b.slide, k, near.history[slot].slide);
-  put(b.roll, k, near.history[slot].roll);
+  put(b.springs->slide, k, near.history[slot].slide);
+  put(b.springs->roll, k, near.history[slot].roll);
   if (!near.memory.used) return;
   const laws::Memory& memory = near.memory.list[slot];
-  b.plastic[k] = memory.plastic;
-  b.adhesion[k] = memory.adhesion;
-  b.grip[k] = memory.grip;
+  b.memory->plastic[k] = memory.plastic;
+  b.memory->adhesion[k] = memory.adhesion;
+  b.memory->grip[k] = memory.grip;
 }
-template <class Near>
-void keep_history(const ContactBlock& b, int k, std::uint32_t slot, Near& near) {
+void keep_history(const ContactBlock& b, int k, std::uint32_t slot, NearWalls& near) {
   near.touching[slot] = b.touching[k] > 0.5;
-  near.history[slot] = {get(b.slide, k), get(b.roll, k)};
-  if (near.memory.used) near.memory.list[slot] = {b.plastic[k], b.adhesion[k], b.grip[k]};
+  near.history[slot] = {get(b.springs->slide, k), get(b.springs->roll, k)};
+  if (near.memory.used)
+    near.memory.list[slot] = {b.memory->plastic[k], b.memory->adhesion[k], b.memory->grip[k]};
 }
 
-void finish_pairs(ContactBlock& b, const ContactClass& contact, NearPairs& near, double dt) {
-  contact.kernel.parcels(b, contact.constants.data(), dt);
-  for (int k = 0; k < b.count; ++k) {
-    const std::uint32_t slot = b.slot[k];
-    keep_history(b, k, slot, near);
-    near.load[slot] = {get(b.force, k), get(b.torque_first, k), get(b.torque_second, k)};
-  }
-  b.count = 0;
+/// Evaluates `b.count` slots from `begin` on, which are one block of near pairs, where they stand. Pairs that do not
+/// touch are carried along: to tell them apart would cost more.
+void evaluate_block(ContactBlock& b, std::size_t begin, const ContactClass& contact, NearPairs& near,
+                    const Parcels& parcels, double approach, double dt) {
+  const std::size_t block = begin / kernels::block_size;
+  b.springs = &near.springs[block];
+  if (near.remembers) b.memory = &near.memory[block];
+  std::uint8_t* touching = &near.touching[begin];
+  for (int k = 0; k < b.count; ++k) b.touching[k] = touching[k];
+  contact.kernel.gather(b, parcels.body.data(), &near.first[begin], &near.second[begin]);
+  contact.kernel.geometry(b, contact.constants.data(), dt);
+  if (!contact.kernel.any_in_reach(b, approach)) return;
+  contact.kernel.evaluate(b, contact.constants.data(), dt);
+  for (int k = 0; k < b.count; ++k) touching[k] = b.touching[k] > 0.5;
+  contact.kernel.scatter(b, &near.load[begin]);
 }
 
 void finish_walls(ContactBlock& b, const ContactClass& contact, NearWalls& near, double dt) {
@@ -55,20 +61,6 @@ void finish_walls(ContactBlock& b, const ContactClass& contact, NearWalls& near,
     near.load[slot] = {get(b.force, k), get(b.torque_first, k)};
   }
   b.count = 0;
-}
-
-inline void stage_pair(ContactBlock& b, std::uint32_t slot, const Parcel& p, const Parcel& q,
-                       const Vec3& offset, const NearPairs& near) {
-  const int k = b.count++;
-  stage_history(b, k, slot, near);
-  put(b.offset, k, offset);
-  put(b.velocity, k, p.velocity - q.velocity);
-  put(b.spin_first, k, p.spin);
-  put(b.spin_second, k, q.spin);
-  b.radius_first[k] = p.radius;
-  b.radius_second[k] = q.radius;
-  b.mass_first[k] = p.mass;
-  b.mass_second[k] = q.mass;
 }
 
 /// Slot of the surface a contact on an edge belongs to: of the surfaces of the same body that share the edge
@@ -109,8 +101,9 @@ void stage_wall(ContactBlock& b, std::uint32_t slot, const Parcel& p, const Wall
   const Vec3 normal = pose.now.turn(sight.offset / sight.distance);
   const WallSight half = look(walls, near, slot, 0.5 * (before_at + at));
   const Surface::Kind kind = walls.surfaces[near.surface[slot]].kind;
+  // In the middle of the step it may still have been on an edge, where the normal turns.
   const bool flat =
-      sight.nearest.in_face && !pose.turns &&
+      sight.nearest.in_face && half.nearest.in_face && !pose.turns &&
       (kind == Surface::Kind::plane || kind == Surface::Kind::rectangle || kind == Surface::Kind::disc);
   put(b.normal, k, normal);
   put(b.half_normal, k, flat || half.distance == 0.0 ? normal : half_normal(half, pose));
@@ -136,22 +129,18 @@ ContactEvaluator::ContactEvaluator(int most_threads, std::size_t classes, double
 
 void ContactEvaluator::pairs(NearPairs& near, const Parcels& parcels, const ContactClasses& classes,
                              const NearestImage& nearest, double dt, int threads) {
+  constexpr std::size_t size = kernels::block_size;
   parallel_shares(near.slots(), threads, [&](std::size_t from, std::size_t to, int thread) {
-    auto& blocks = scratch_[static_cast<std::size_t>(thread)].block;
-    const Parcel* body = parcels.body.data();
-    for (std::size_t s = from; s < to; ++s) {
-      const Parcel& p = body[near.first[s]];
-      const Parcel& q = body[near.second[s]];
-      const Vec3 offset = nearest(q.position - p.position);
-      const double sum = p.radius + q.radius + approach_;
-      if (!near.touching[s] && !(dot(offset, offset) < sum * sum)) continue;
-      const std::uint32_t c = classes.index(p.species, q.species);
-      ContactBlock& b = blocks[c];
-      stage_pair(b, static_cast<std::uint32_t>(s), p, q, offset, near);
-      if (b.count == kernels::block_size) finish_pairs(b, classes.all()[c], near, dt);
-    }
-    for (std::size_t c = 0; c < blocks.size(); ++c)
-      if (blocks[c].count > 0) finish_pairs(blocks[c], classes.all()[c], near, dt);
+    ContactBlock& b = scratch_[static_cast<std::size_t>(thread)].pairs;
+    b.period = nearest.length;
+    // A block belongs to the share it begins in.
+    from = (from + size - 1) / size * size;
+    for (std::size_t c = 0; c < near.class_begin.size(); ++c)
+      for (std::size_t s = std::max(from, near.class_begin[c]); s < std::min(to, near.class_end[c]);
+           s += size) {
+        b.count = static_cast<int>(std::min(size, near.class_end[c] - s));
+        evaluate_block(b, s, classes.all()[c], near, parcels, approach_, dt);
+      }
   });
 }
 

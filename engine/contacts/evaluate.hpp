@@ -16,9 +16,9 @@ struct Crossing {
   std::uint32_t surface;
 };
 
-/// Evaluates all contacts of a step: stages what touches into blocks of one contact class each, runs the
-/// kernels, and puts results and history back into the slots. Which block a contact shares changes nothing:
-/// each result depends on its own contact alone.
+/// Evaluates all contacts of a step in blocks of one contact class each: near pairs where their slots stand,
+/// contacts with walls after they were staged. Which block a contact shares changes nothing: each result depends
+/// on its own contact alone.
 class ContactEvaluator {
  public:
   /// `approach` is the widest gap at which a contact can begin, m.
@@ -32,7 +32,8 @@ class ContactEvaluator {
 
  private:
   struct Scratch {
-    std::vector<kernels::ContactBlock> block;  ///< one per contact class
+    kernels::ContactBlock pairs;
+    std::vector<kernels::SeparateBlock> block;  ///< of walls, one per contact class
     std::vector<Crossing> crossings;
     std::vector<WallSight> sights;     ///< of one parcel, per slot
     std::vector<std::uint32_t> owner;  ///< of one parcel, per slot: see settle_edges

@@ -17,10 +17,35 @@ struct Candidate {
 
 }  // namespace
 
-void NearPairs::rebuild(const Parcels& parcels, std::span<const double> margin, double reach, const Box& box,
-                        int threads) {
+void NearPairs::rebuild(const Parcels& parcels, const ContactClasses& classes, std::span<const double> margin,
+                        double reach, const Box& box, int threads) {
   search(parcels, margin, reach, box, threads);
-  assign_slots(parcels, threads);
+  assign_slots(parcels, classes, threads);
+}
+
+laws::History NearPairs::history(std::size_t slot) const {
+  const kernels::Springs& s = springs[slot / kernels::block_size];
+  const std::size_t k = slot % kernels::block_size;
+  return {{s.slide.x[k], s.slide.y[k], s.slide.z[k]}, {s.roll.x[k], s.roll.y[k], s.roll.z[k]}};
+}
+
+void NearPairs::set_history(std::size_t slot, const laws::History& h) {
+  kernels::Springs& s = springs[slot / kernels::block_size];
+  const std::size_t k = slot % kernels::block_size;
+  s.slide.x[k] = h.slide.x, s.slide.y[k] = h.slide.y, s.slide.z[k] = h.slide.z;
+  s.roll.x[k] = h.roll.x, s.roll.y[k] = h.roll.y, s.roll.z[k] = h.roll.z;
+}
+
+void NearPairs::set_memory(std::size_t slot, const laws::Memory& from) {
+  kernels::MemoryLanes& m = memory[slot / kernels::block_size];
+  const std::size_t k = slot % kernels::block_size;
+  m.plastic[k] = from.plastic, m.adhesion[k] = from.adhesion, m.grip[k] = from.grip;
+}
+
+laws::Memory NearPairs::memory_of(std::size_t slot) const {
+  const kernels::MemoryLanes& m = memory[slot / kernels::block_size];
+  const std::size_t k = slot % kernels::block_size;
+  return {m.plastic[k], m.adhesion[k], m.grip[k]};
 }
 
 void NearPairs::search(const Parcels& parcels, std::span<const double> margin, double reach, const Box& box,
@@ -71,38 +96,58 @@ void NearPairs::search(const Parcels& parcels, std::span<const double> margin, d
       std::copy(found[t].begin(), found[t].end(), partner_.begin() + begin[share_begin[t]]);
 }
 
-void NearPairs::assign_slots(const Parcels& parcels, int threads) {
-  // The parcel that stands first in the store numbers the slot, so slots follow the store's order.
-  const std::size_t count = parcels.size();
-  own_begin_.assign(count + 1, 0);
+/// Numbers the slots: by class, in it by the parcel that stands first in the store, so that slots follow the
+/// store's order. Returns their number.
+std::size_t NearPairs::count_slots(const Parcels& parcels, const ContactClasses& classes, int threads) {
+  const std::size_t count = parcels.size(), class_count = classes.all().size();
+  own_begin_.assign(class_count * count, 0);
   parallel_shares(count, threads, [&](std::size_t from, std::size_t to, int) {
     for (std::size_t i = from; i < to; ++i)
       for (std::uint32_t k = begin[i]; k < begin[i + 1]; ++k)
-        if (partner_[k] > i) ++own_begin_[i + 1];
+        if (const std::uint32_t j = partner_[k]; j > i)
+          ++own_begin_[classes.index(parcels.body[i].species, parcels.body[j].species) * count + i];
   });
-  for (std::size_t i = 0; i < count; ++i) own_begin_[i + 1] += own_begin_[i];
+  std::size_t total = 0;
+  class_begin.assign(class_count, 0);
+  class_end.assign(class_count, 0);
+  for (std::size_t c = 0; c < class_count; ++c) {
+    constexpr std::size_t block = kernels::block_size;
+    total = (total + block - 1) / block * block;
+    class_begin[c] = total;
+    for (std::size_t i = c * count; i < (c + 1) * count; ++i) {
+      const std::uint32_t own = own_begin_[i];
+      own_begin_[i] = static_cast<std::uint32_t>(total);
+      total += own;
+    }
+    class_end[c] = total;
+  }
+  if (total >= (std::size_t{1} << 31))
+    throw Failure(Exit::physics, "more than 2^31 pairs of parcels are near");
+  return total;
+}
 
-  const std::size_t slot_count = own_begin_[count];
-  first.resize(slot_count);
-  second.resize(slot_count);
+void NearPairs::assign_slots(const Parcels& parcels, const ContactClasses& classes, int threads) {
+  const std::size_t count = parcels.size(), slot_count = count_slots(parcels, classes, threads);
+  const std::size_t block_count = (slot_count + kernels::block_size - 1) / kernels::block_size;
+  first.assign(slot_count, 0);
+  second.assign(slot_count, 0);
   touching.assign(slot_count, 0);
-  history.assign(slot_count, {});
-  memory.assign(slot_count);
-  load.assign(slot_count, {});
+  load.assign(slot_count + 1, {});
+  springs.assign(block_count, {});
+  memory.assign(remembers ? block_count : 0, {});
   entry.resize(partner_.size());
   parallel_shares(count, threads, [&](std::size_t from, std::size_t to, int) {
-    for (std::size_t i = from; i < to; ++i) {
-      std::uint32_t slot = own_begin_[i];
+    for (std::size_t i = from; i < to; ++i)
       for (std::uint32_t k = begin[i]; k < begin[i + 1]; ++k) {
         const std::uint32_t j = partner_[k];
         if (j < i) continue;
-        const bool is_second = parcels.body[i].id > parcels.body[j].id;
+        const Parcel &p = parcels.body[i], &q = parcels.body[j];
+        const std::uint32_t slot = own_begin_[classes.index(p.species, q.species) * count + i]++;
+        const bool is_second = p.id > q.id;
         first[slot] = is_second ? j : static_cast<std::uint32_t>(i);
         second[slot] = is_second ? static_cast<std::uint32_t>(i) : j;
         entry[k] = 2 * slot + (is_second ? 1 : 0);
-        ++slot;
       }
-    }
   });
   // The other parcel looks its slot up in the list of the one that numbered it.
   std::atomic<bool> one_sided{false};
@@ -135,7 +180,7 @@ TouchingList NearPairs::pack(const Parcels& parcels, int threads) const {
   for (std::size_t i = 0; i < count; ++i) list.begin[i + 1] += list.begin[i];
   list.partner.resize(list.begin[count]);
   list.history.resize(list.begin[count]);
-  list.memory.used = memory.used;
+  list.memory.used = remembers;
   list.memory.assign(list.begin[count]);
   parallel_shares(count, threads, [&](std::size_t from, std::size_t to, int) {
     for (std::size_t i = from; i < to; ++i) {
@@ -144,8 +189,8 @@ TouchingList NearPairs::pack(const Parcels& parcels, int threads) const {
         if (owned(k)) {
           const std::uint32_t slot = entry[k] >> 1;
           list.partner[at] = parcels.body[second[slot]].id;
-          list.memory.copy(at, memory, slot);
-          list.history[at++] = history[slot];
+          if (remembers) list.memory.list[at] = memory_of(slot);
+          list.history[at++] = history(slot);
         }
     }
   });
@@ -169,8 +214,8 @@ std::size_t NearPairs::restore(const TouchingList& list, std::span<const std::ui
         while (at < end && list.partner[at] < id) ++at;
         if (at < end && list.partner[at] == id) {
           touching[slot] = 1;
-          memory.copy(slot, list.memory, at);
-          history[slot] = list.history[at++];
+          if (remembers && list.memory.used) set_memory(slot, list.memory.list[at]);
+          set_history(slot, list.history[at++]);
           ++mine;
         }
       }

@@ -5,28 +5,27 @@
 #include <vector>
 
 #include "engine/contacts/cell_grid.hpp"
+#include "engine/contacts/contact_classes.hpp"
 #include "engine/contacts/touching.hpp"
 #include "engine/parcels/parcels.hpp"
 
 namespace pulvis {
 
-/// What a pair contact does to its two parcels, about their centres: N, N m.
-struct PairLoad {
-  Vec3 force;  ///< on the first; the second gets the opposite
-  Vec3 torque_first, torque_second;
-};
+using kernels::PairLoad;
 
 /// Pairs of parcels that touch or could before the next rebuild. Each pair has one slot, which holds its
 /// history and result; each parcel has a list of its slots, sorted by the partner's id, so that sums run in
-/// the same order whatever the lists contain besides.
+/// the same order whatever the lists contain besides. Slots of one contact class lie together and each class
+/// begins a new block of the kernels, so that blocks of slots are evaluated where they stand; slots that only fill
+/// a block up belong to no entry and never touch.
 class NearPairs {
  public:
   static constexpr std::uint32_t no_parcel = 0xffffffffu;
 
   /// Finds all pairs closer than margin_i + margin_j + reach. `margin` is per parcel, m; `reach` covers
   /// contacts that hold beyond touching. Forgets all contacts: see `restore`.
-  void rebuild(const Parcels& parcels, std::span<const double> margin, double reach, const Box& box,
-               int threads);
+  void rebuild(const Parcels& parcels, const ContactClasses& classes, std::span<const double> margin,
+               double reach, const Box& box, int threads);
 
   /// The contacts that touch now.
   TouchingList pack(const Parcels& parcels, int threads) const;
@@ -41,13 +40,22 @@ class NearPairs {
   void take_over_loads(const NearPairs& old, std::span<const std::uint32_t> old_index);
 
   std::size_t slots() const { return first.size(); }
+  laws::History history(std::size_t slot) const;
+  void set_history(std::size_t slot, const laws::History& history);
 
   // Per slot. The first has the lower id.
   std::vector<std::uint32_t> first, second;
   std::vector<std::uint8_t> touching;
-  std::vector<laws::History> history;
-  Memories memory;  ///< `used` is to be set before the first rebuild
-  std::vector<PairLoad> load;
+  std::vector<PairLoad>
+      load;  ///< zero where nothing touches; one more, so that four numbers can be read anywhere
+
+  // Per block of slots.
+  std::vector<kernels::Springs> springs;
+  std::vector<kernels::MemoryLanes> memory;  ///< empty unless `remembers`
+  bool remembers = false;                    ///< to be set before the first rebuild
+
+  // Per contact class: its slots are [class_begin[c], class_end[c]).
+  std::vector<std::size_t> class_begin, class_end;
 
   // Per parcel: entries [begin[k], begin[k + 1]) of `entry`, partners' ids ascending.
   std::vector<std::uint32_t> begin;
@@ -56,10 +64,13 @@ class NearPairs {
  private:
   void search(const Parcels& parcels, std::span<const double> margin, double reach, const Box& box,
               int threads);
-  void assign_slots(const Parcels& parcels, int threads);
+  void assign_slots(const Parcels& parcels, const ContactClasses& classes, int threads);
+  std::size_t count_slots(const Parcels& parcels, const ContactClasses& classes, int threads);
+  laws::Memory memory_of(std::size_t slot) const;
+  void set_memory(std::size_t slot, const laws::Memory& memory);
 
   CellGrid grid_;
-  std::vector<std::uint32_t> partner_, own_begin_;
+  std::vector<std::uint32_t> partner_, own_begin_;  ///< own_begin_: [class * parcels + parcel]
 };
 
 }  // namespace pulvis

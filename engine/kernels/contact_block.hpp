@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "engine/laws/catalogue.hpp"
+#include "engine/parcels/parcels.hpp"
 
 namespace pulvis::kernels {
 
@@ -16,14 +17,33 @@ struct Lanes3 {
   alignas(64) Lane z;
 };
 
-/// Contacts of one pair of species, side by side, so that a law is evaluated on many at once. Staged by
-/// plain loads; the results go back to each contact's own slot. SI; symbols as in laws::Touch.
+/// What the contacts of a block remember; kept from step to step where the kernels use it.
+struct Springs {
+  Lanes3 slide, roll;
+};
+/// What they remember besides, for laws that ask for it.
+struct MemoryLanes {
+  alignas(64) Lane plastic, adhesion, grip;
+};
+
+/// What a pair contact does to its two parcels, about their centres: N, N m.
+struct PairLoad {
+  Vec3 force;  ///< on the first; the second gets the opposite
+  Vec3 torque_first, torque_second;
+};
+
+/// Contacts of one pair of species, side by side, so that a law is evaluated on many at once. SI; symbols as in
+/// laws::Touch.
 struct ContactBlock {
   int count = 0;
-  std::uint32_t slot[block_size];
+  std::uint32_t slot[block_size];  ///< walls only
 
-  // Staged for parcels: the kernel derives what stands under "staged for walls" from these.
-  Lanes3 offset;    ///< x_second - x_first (nearest image), end of step
+  Springs* springs = nullptr;     ///< in and out
+  MemoryLanes* memory = nullptr;  ///< in and out; null for laws that have none
+
+  // Gathered for parcels: the kernel derives what stands under "staged for walls" from these.
+  Vec3 period;      ///< m, of the domain's periodic axes, 0 along the others
+  Lanes3 offset;    ///< x_second - x_first, of any image, end of step
   Lanes3 velocity;  ///< v_first - v_second, mid-step; walls: v_first - v_wall at the contact
   alignas(64) Lane radius_first, radius_second, mass_first, mass_second;
 
@@ -35,9 +55,6 @@ struct ContactBlock {
 
   Lanes3 spin_first, spin_second;  ///< mid-step
   alignas(64) Lane touching;       ///< in: before this step; out: now
-  Lanes3 slide, roll;              ///< history, in and out
-  /// Memory, in and out, for laws that remember; zeros or anything for others.
-  alignas(64) Lane plastic, adhesion, grip;
 
   // Between the stages of a law, see laws/contact_law.hpp.
   alignas(64) Lane in_reach;                                          ///< from the reach of cohesion
@@ -51,24 +68,54 @@ struct ContactBlock {
   Lanes3 torque_first, torque_second;  ///< about the centres
 };
 
+/// A block with springs and memory of its own.
+struct SeparateBlock : ContactBlock {
+  SeparateBlock() : ContactBlock(), own_springs(), own_memory() {
+    springs = &own_springs, memory = &own_memory;
+  }
+  SeparateBlock(const SeparateBlock& other)
+      : ContactBlock(other), own_springs(other.own_springs), own_memory(other.own_memory) {
+    springs = &own_springs, memory = &own_memory;
+  }
+  SeparateBlock& operator=(const SeparateBlock&) = delete;
+
+  Springs own_springs;
+  MemoryLanes own_memory;
+};
+
 /// A law as stages, each a loop over the block, in the order of laws/contact_law.hpp. One set of stages for each
 /// part, so code grows with the sum of the parts; stages that a law does without are null.
 class ContactKernel {
  public:
   using Stage = void (*)(ContactBlock& block, const double* pair_constants, double dt);
 
-  /// Contacts of parcels.
+  /// Fills a block with the parcels `first[k]`, `second[k]`, k < count.
+  using Gather = void (*)(ContactBlock& block, const Parcel* parcels, const std::uint32_t* first,
+                          const std::uint32_t* second);
+  /// Whether any contact of the block exists or is nearer than `approach` (m).
+  using Look = bool (*)(const ContactBlock& block, double approach);
+  /// Brings the results to each contact's own place.
+  using Scatter = void (*)(const ContactBlock& block, PairLoad* load);
+
+  /// Contacts of parcels, gathered.
   void parcels(ContactBlock& block, const double* pair_constants, double dt) const {
     geometry(block, pair_constants, dt);
+    evaluate(block, pair_constants, dt);
+  }
+  /// The law alone, where the geometry is known.
+  void evaluate(ContactBlock& block, const double* pair_constants, double dt) const {
     for (int k = 0; k < law_stages; ++k) law[k](block, pair_constants, dt);
   }
   /// Contacts of parcels with walls, staged with their geometry.
   void walls(ContactBlock& block, const double* pair_constants, double dt) const {
     if (wall_sizes) wall_sizes(block, pair_constants, dt);
-    for (int k = 0; k < law_stages; ++k) law[k](block, pair_constants, dt);
+    evaluate(block, pair_constants, dt);
   }
   void append(Stage stage) { law[law_stages++] = stage; }
 
+  Gather gather = nullptr;
+  Look any_in_reach = nullptr;
+  Scatter scatter = nullptr;
   Stage geometry = nullptr, wall_sizes = nullptr;
 
  private:

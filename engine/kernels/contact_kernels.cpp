@@ -2,9 +2,11 @@
 // Compiled once per instruction set; PULVIS_ISA is that set's name. Everything called from the loops is
 // forced inline, so no code for a newer processor can leak into shared functions.
 #include <array>
+#include <cstddef>
 
 #include "engine/kernels/contact_block.hpp"
 #include "engine/laws/catalogue.hpp"
+#include "engine/parcels/domain.hpp"
 
 namespace pulvis::kernels {
 namespace PULVIS_ISA {
@@ -16,12 +18,124 @@ PULVIS_INLINE void store(Lanes3& lanes, int k, const Vec3& value) {
   lanes.z[k] = value.z;
 }
 
+// --- between the store and the lanes ----------------------------------------------------------------------
+//
+// Records are read and written whole and turned into lanes by 4 x 4 transposes in registers: that moves numbers and
+// computes none, so it is the same on every processor.
+
+#pragma GCC diagnostic ignored "-Wpsabi"  // never passed to a function that is not inlined
+using Four = double __attribute__((vector_size(32)));
+
+PULVIS_INLINE Four four_at(const double* from) {
+  Four v;
+  __builtin_memcpy(&v, from, sizeof v);
+  return v;
+}
+PULVIS_INLINE void put_four(double* to, const Four& v) { __builtin_memcpy(to, &v, sizeof v); }
+
+PULVIS_INLINE void transpose(Four& a, Four& b, Four& c, Four& d) {
+  const Four ab_even = __builtin_shufflevector(a, b, 0, 4, 2, 6),
+             ab_odd = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+  const Four cd_even = __builtin_shufflevector(c, d, 0, 4, 2, 6),
+             cd_odd = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+  a = __builtin_shufflevector(ab_even, cd_even, 0, 1, 4, 5);
+  b = __builtin_shufflevector(ab_odd, cd_odd, 0, 1, 4, 5);
+  c = __builtin_shufflevector(ab_even, cd_even, 2, 3, 6, 7);
+  d = __builtin_shufflevector(ab_odd, cd_odd, 2, 3, 6, 7);
+}
+
+/// Four numbers of each of four parcels, from `part` on, as four lanes.
+struct Quartet {
+  Four a, b, c, d;
+};
+PULVIS_INLINE Quartet quartet(const double* const (&record)[4], int part) {
+  Quartet q{four_at(record[0] + part), four_at(record[1] + part), four_at(record[2] + part),
+            four_at(record[3] + part)};
+  transpose(q.a, q.b, q.c, q.d);
+  return q;
+}
+
+static_assert(sizeof(Parcel) == 12 * sizeof(double));
+static_assert(offsetof(Parcel, radius) == 3 * sizeof(double) &&
+              offsetof(Parcel, velocity) == 4 * sizeof(double) &&
+              offsetof(Parcel, mass) == 7 * sizeof(double) && offsetof(Parcel, spin) == 8 * sizeof(double));
+
+static void gather(ContactBlock& b, const Parcel* parcels, const std::uint32_t* first,
+                   const std::uint32_t* second) {
+  const int count = b.count;
+  for (int k = 0; k < count; k += 4) {
+    const double *p[4], *q[4];
+    for (int j = 0; j < 4; ++j) {
+      const int lane = k + j < count ? k + j : count - 1;  // what is left over repeats the last
+      p[j] = reinterpret_cast<const double*>(parcels + first[lane]);
+      q[j] = reinterpret_cast<const double*>(parcels + second[lane]);
+    }
+    const Quartet p_at = quartet(p, 0), q_at = quartet(q, 0);
+    put_four(b.offset.x + k, q_at.a - p_at.a);
+    put_four(b.offset.y + k, q_at.b - p_at.b);
+    put_four(b.offset.z + k, q_at.c - p_at.c);
+    put_four(b.radius_first + k, p_at.d);
+    put_four(b.radius_second + k, q_at.d);
+    const Quartet p_speed = quartet(p, 4), q_speed = quartet(q, 4);
+    put_four(b.velocity.x + k, p_speed.a - q_speed.a);
+    put_four(b.velocity.y + k, p_speed.b - q_speed.b);
+    put_four(b.velocity.z + k, p_speed.c - q_speed.c);
+    put_four(b.mass_first + k, p_speed.d);
+    put_four(b.mass_second + k, q_speed.d);
+    const Quartet p_spin = quartet(p, 8),
+                  q_spin = quartet(q, 8);  // the fourth are ids, which nobody asks for
+    put_four(b.spin_first.x + k, p_spin.a);
+    put_four(b.spin_first.y + k, p_spin.b);
+    put_four(b.spin_first.z + k, p_spin.c);
+    put_four(b.spin_second.x + k, q_spin.a);
+    put_four(b.spin_second.y + k, q_spin.b);
+    put_four(b.spin_second.z + k, q_spin.c);
+  }
+}
+
+static_assert(sizeof(PairLoad) == 9 * sizeof(double));
+
+static void scatter(const ContactBlock& b, PairLoad* load) {
+  const auto lane_wise = [&](int k) {
+    load[k] = {{b.force.x[k], b.force.y[k], b.force.z[k]},
+               {b.torque_first.x[k], b.torque_first.y[k], b.torque_first.z[k]},
+               {b.torque_second.x[k], b.torque_second.y[k], b.torque_second.z[k]}};
+  };
+  int k = 0;
+  for (; k + 4 <= b.count; k += 4) {
+    Quartet one{four_at(b.force.x + k), four_at(b.force.y + k), four_at(b.force.z + k),
+                four_at(b.torque_first.x + k)};
+    Quartet two{four_at(b.torque_first.y + k), four_at(b.torque_first.z + k), four_at(b.torque_second.x + k),
+                four_at(b.torque_second.y + k)};
+    transpose(one.a, one.b, one.c, one.d);
+    transpose(two.a, two.b, two.c, two.d);
+    const Four ones[4] = {one.a, one.b, one.c, one.d}, twos[4] = {two.a, two.b, two.c, two.d};
+    for (int j = 0; j < 4; ++j) {
+      double* to = reinterpret_cast<double*>(load + k + j);
+      put_four(to, ones[j]);
+      put_four(to + 4, twos[j]);
+      to[8] = b.torque_second.z[k + j];
+    }
+  }
+  for (; k < b.count; ++k) lane_wise(k);
+}
+
+static bool any_in_reach(const ContactBlock& b, double approach) {
+  const int count = b.count;
+  int any = 0;
+#pragma omp simd reduction(| : any)
+  for (int k = 0; k < count; ++k) any |= (b.overlap[k] > -approach) | (b.touching[k] > 0.5);
+  return any != 0;
+}
+
+// --- one contact in its lane ------------------------------------------------------------------------------
+//
 // The bodies of the loops are functions of their own: inside an `omp simd` loop every local variable with
 // an address would become an array, and the loop would not be vectorised.
 
 /// Geometry of two spheres from their staged states.
 PULVIS_INLINE void derive_geometry(ContactBlock& b, int k, double dt) {
-  const Vec3 offset = load(b.offset, k);
+  const Vec3 offset = NearestImage{b.period}(load(b.offset, k));
   const Vec3 half_offset = offset + (0.5 * dt) * load(b.velocity, k);  // where they were dt/2 ago
   const double distance = norm(offset);
   store(b.normal, k, offset / distance);
@@ -82,14 +196,15 @@ PULVIS_INLINE void evaluate_normal(ContactBlock& b, int k, const typename Part::
   const double gap = Part::separation_gap(touch.radius, pair);
   const double touching = laws::touches(touch.overlap, touch.was_touching, 0.0, gap);
   double plastic = 0.0, adhesion = 0.0;
-  if constexpr (Part::remembers) plastic = b.plastic[k], adhesion = b.adhesion[k];
+  if constexpr (Part::remembers) plastic = b.memory->plastic[k], adhesion = b.memory->adhesion[k];
   const laws::Normal n = Part::normal(touch, pair, plastic, adhesion);
   b.touching[k] = touching;
   b.elastic[k] = n.elastic;
   b.contact_size[k] = n.contact_size;
   b.damping_size[k] = n.damping_size;
   b.limit_shift[k] = n.limit_shift;
-  if constexpr (Part::remembers) b.plastic[k] = touching * plastic, b.adhesion[k] = touching * adhesion;
+  if constexpr (Part::remembers)
+    b.memory->plastic[k] = touching * plastic, b.memory->adhesion[k] = touching * adhesion;
 }
 
 template <class Part>
@@ -126,15 +241,15 @@ template <class Part>
 PULVIS_INLINE void evaluate_sliding(ContactBlock& b, int k, const typename Part::Pair& pair, double dt) {
   laws::Touch touch;
   look(b, k, dt, touch);
-  Vec3 spring = load(b.slide, k);
+  Vec3 spring = load(b.springs->slide, k);
   double grip = 0.0;
-  if constexpr (Part::remembers_grip) grip = b.grip[k];
+  if constexpr (Part::remembers_grip) grip = b.memory->grip[k];
   const double size = b.contact_size[k];
   const Vec3 tangential = Part::slide(touch, load(b.slip, k), size, magnitude(b.limiting_force[k]),
                                       b.tangential_damping[k], pair, spring, grip);
   const double touching = b.touching[k], held = select(size > 0.0, touching, 0.0);
-  store(b.slide, k, held * spring);
-  if constexpr (Part::remembers_grip) b.grip[k] = held * grip;
+  store(b.springs->slide, k, held * spring);
+  if constexpr (Part::remembers_grip) b.memory->grip[k] = held * grip;
   store(b.force, k, touching * (tangential - b.normal_force[k] * touch.normal));
   const Vec3 moment = cross(touch.normal, touching * tangential);
   store(b.torque_first, k, b.arm_first[k] * moment);
@@ -148,7 +263,7 @@ PULVIS_INLINE void evaluate_rolling(ContactBlock& b, int k, const typename Rolli
   look(b, k, dt, touch);
   const double size = b.contact_size[k], limit = magnitude(b.limiting_force[k]);
   const double held = select(size > 0.0, touch.was_touching, 0.0);
-  Vec3 spring = load(b.roll, k);
+  Vec3 spring = load(b.springs->roll, k);
   double twist = 0.0;
   if constexpr (Twisting::acts) {
     const Vec3 before = laws::normal_before(touch.normal, touch.half_normal);
@@ -162,7 +277,7 @@ PULVIS_INLINE void evaluate_rolling(ContactBlock& b, int k, const typename Rolli
     spring = spring + twist * touch.normal;
   }
   const Vec3 acting = held * torque;
-  store(b.roll, k, held * spring);
+  store(b.springs->roll, k, held * spring);
   store(b.torque_first, k, load(b.torque_first, k) + acting);
   store(b.torque_second, k, load(b.torque_second, k) - acting);
 }
@@ -290,6 +405,9 @@ static Stage cohesion_stage_of(laws::PartList<Parts...>, std::size_t index) {
 
 ContactKernel contact_kernel(const laws::Law& law) {
   ContactKernel kernel;
+  kernel.gather = gather;
+  kernel.any_in_reach = any_in_reach;
+  kernel.scatter = scatter;
   kernel.geometry = geometry_stage;
   if (law.cohesion->needs_sizes || law.rolling->needs_sizes) kernel.wall_sizes = wall_sizes_stage;
   if (law.cohesion->reaches) kernel.append(reach_stage_of(laws::CohesionParts{}, law.cohesion->index));

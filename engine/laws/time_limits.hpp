@@ -34,9 +34,9 @@ inline std::vector<TimeLimit> time_limits(std::string_view normal, std::string_v
     limits.push_back({"linear spring", pi * root(m / (k * greatest(pair.plastic_ratio, 1.0)))});
   }
   if (normal == "edinburgh") limits.push_back({"unloading", hertz / root(pair.unloading_ratio)});
-  if (pair.liquid_viscosity > 0.0)
+  if (pair.liquid_viscosity > 0.0 && pair.surface_tension > 0.0)
     limits.push_back({"liquid", m * pair.shortest_bridge_gap / (6.0 * pi * pair.liquid_viscosity * r)});
-  if (cohesion == "hamaker")
+  if (cohesion == "hamaker" && pair.hamaker_constant > 0.0)
     limits.push_back({"van der Waals", root(3.0 * m * pair.shortest_gap * square(pair.shortest_gap) /
                                             (pair.hamaker_constant * r))});
   if (normal == "jkr" && w > 0.0) {

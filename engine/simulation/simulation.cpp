@@ -42,7 +42,7 @@ Simulation::Simulation(Model model, State state, int threads)
       poses_(model_.walls.bodies.size()),
       evaluator_(most_threads_, model_.classes.all().size(),
                  model_.classes.longest_approach(model_.largest_radius)) {
-  pairs_.memory.used = walls_.memory.used = model_.classes.remember();
+  pairs_.remembers = walls_.memory.used = model_.classes.remember();
   find_body_corners();
   has_bounded_walls_ = std::any_of(model_.walls.surfaces.begin(), model_.walls.surfaces.end(),
                                    [](const Surface& s) { return s.kind != Surface::Kind::plane; });
@@ -387,7 +387,7 @@ std::vector<std::uint32_t> Simulation::rebuild(const TouchingList& old_pairs, co
   body_reference_.resize(poses_.size());
   for (std::size_t b = 0; b < poses_.size(); ++b) body_reference_[b] = poses_[b].now;
 
-  pairs_.rebuild(state_.parcels, margin_, reach_, model_.domain, threads());
+  pairs_.rebuild(state_.parcels, model_.classes, margin_, reach_, model_.domain, threads());
   walls_.rebuild(state_.parcels, model_.walls, poses_, margin_, body_margin_, reach_, threads());
   const std::size_t pairs_found = pairs_.restore(old_pairs, old_index, state_.parcels, threads());
   const std::size_t walls_found = walls_.restore(old_walls, old_index);
@@ -433,8 +433,8 @@ Vec3 Simulation::force_on_surface(std::size_t surface) const {
 std::size_t Simulation::memory() const {
   const auto bytes = [](const auto& v) { return v.capacity() * sizeof v[0]; };
   return bytes(state_.parcels.body) + bytes(state_.parcels.load) + bytes(reference_) + bytes(margin_) +
-         bytes(pairs_.first) + bytes(pairs_.second) + bytes(pairs_.touching) + bytes(pairs_.history) +
-         bytes(pairs_.memory.list) + bytes(pairs_.load) + bytes(pairs_.begin) + bytes(pairs_.entry) +
+         bytes(pairs_.first) + bytes(pairs_.second) + bytes(pairs_.touching) + bytes(pairs_.springs) +
+         bytes(pairs_.memory) + bytes(pairs_.load) + bytes(pairs_.begin) + bytes(pairs_.entry) +
          bytes(walls_.begin) + bytes(walls_.parcel) + bytes(walls_.surface) + bytes(walls_.history) +
          bytes(walls_.load);
 }

@@ -70,11 +70,17 @@ double shortest(const Packing& p, std::size_t i, std::size_t j) {
   return best;
 }
 
+const ContactClasses one_class = [] {
+  ContactClasses classes(1);
+  classes.set(0, 0, {});
+  return classes;
+}();
+
 using Pairs = std::set<std::pair<std::uint32_t, std::uint32_t>>;
 
 void expect_pairs_of_brute_force(const Packing& p, int threads) {
   NearPairs near;
-  near.rebuild(p.parcels, p.margin, p.reach, p.box, threads);
+  near.rebuild(p.parcels, one_class, p.margin, p.reach, p.box, threads);
   Pairs found;
   for (std::size_t s = 0; s < near.slots(); ++s) {
     const auto a = p.parcels.body[near.first[s]].id, b = p.parcels.body[near.second[s]].id;
@@ -130,9 +136,9 @@ TEST(NearPairs, AreTheSameForAnyNumberOfThreads) {
   for (std::uint64_t k = 0; k < 5; ++k) {
     const Packing p = random_packing(400 + k, column, 1000, 1.0);
     NearPairs one, two, three;
-    one.rebuild(p.parcels, p.margin, p.reach, p.box, 1);
-    two.rebuild(p.parcels, p.margin, p.reach, p.box, 2);
-    three.rebuild(p.parcels, p.margin, p.reach, p.box, 3);
+    one.rebuild(p.parcels, one_class, p.margin, p.reach, p.box, 1);
+    two.rebuild(p.parcels, one_class, p.margin, p.reach, p.box, 2);
+    three.rebuild(p.parcels, one_class, p.margin, p.reach, p.box, 3);
     expect_pairs_of_brute_force(p, 3);
     for (const NearPairs* other : {&two, &three}) {
       EXPECT_EQ(one.first, other->first);
@@ -146,7 +152,7 @@ TEST(NearPairs, AreNoneAmongNoneAndOneParcel) {
   for (const std::size_t count : {std::size_t{0}, std::size_t{1}}) {
     const Packing p = random_packing(500, all_around, count, 2.0);
     NearPairs near;
-    near.rebuild(p.parcels, p.margin, p.reach, p.box, 2);
+    near.rebuild(p.parcels, one_class, p.margin, p.reach, p.box, 2);
     EXPECT_EQ(near.slots(), 0u);
     EXPECT_EQ(near.begin.size(), count + 1);
   }
@@ -177,7 +183,7 @@ TEST(CellGrid, RangesAroundACellHoldEveryPointWithinTheEdgeExactlyOnce) {
 TEST(ContactHistory, SurvivesARebuildInAnotherOrder) {
   Packing p = random_packing(700, column, 600, 1.0);
   NearPairs near;
-  near.rebuild(p.parcels, p.margin, p.reach, p.box, 1);
+  near.rebuild(p.parcels, one_class, p.margin, p.reach, p.box, 1);
   // Every third pair touches and remembers numbers of its own.
   const auto memory = [](std::uint32_t a, std::uint32_t b) {
     return laws::History{{a * 1.0, b * 1.0, a * 1e3 + b}, {b * 2.0, a * 3.0, 1.0}};
@@ -185,7 +191,7 @@ TEST(ContactHistory, SurvivesARebuildInAnotherOrder) {
   std::size_t count = 0;
   for (std::size_t s = 0; s < near.slots(); s += 3, ++count) {
     near.touching[s] = 1;
-    near.history[s] = memory(p.parcels.body[near.first[s]].id, p.parcels.body[near.second[s]].id);
+    near.set_history(s, memory(p.parcels.body[near.first[s]].id, p.parcels.body[near.second[s]].id));
   }
   const TouchingList list = near.pack(p.parcels, 2);
   ASSERT_EQ(list.size(), count);
@@ -209,15 +215,15 @@ TEST(ContactHistory, SurvivesARebuildInAnotherOrder) {
   moved.load.resize(moved.body.size());
   for (const int threads : {1, 2, 3}) {
     NearPairs after;
-    after.rebuild(moved, margin, p.reach, p.box, threads);
+    after.rebuild(moved, one_class, margin, p.reach, p.box, threads);
     EXPECT_EQ(after.restore(list, old_index, moved, threads), count);
     std::size_t touching = 0;
     for (std::size_t s = 0; s < after.slots(); ++s) {
       if (!after.touching[s]) continue;
       ++touching;
       const auto expected = memory(moved.body[after.first[s]].id, moved.body[after.second[s]].id);
-      ASSERT_EQ(after.history[s].slide, expected.slide);
-      ASSERT_EQ(after.history[s].roll, expected.roll);
+      ASSERT_EQ(after.history(s).slide, expected.slide);
+      ASSERT_EQ(after.history(s).roll, expected.roll);
     }
     EXPECT_EQ(touching, count);
   }

@@ -286,6 +286,83 @@ TEST(Check, WarnsOfAPairThatDoesNotAdhereAmongThoseThatDo) {
   EXPECT_TRUE(warned);
 }
 
+bool warns(const Checked& k, const std::vector<std::string>& parts) {
+  return std::any_of(k.forecast.warnings.begin(), k.forecast.warnings.end(), [&](const std::string& w) {
+    return std::all_of(parts.begin(), parts.end(), [&](const std::string& part) { return has(w, part); });
+  });
+}
+
+TEST(Check, SaysNothingOfAPairWhoseCohesionTheCaseStates) {
+  const std::vector<Override> clean_wall = {{"materials.steel.surface_energy", "\"0 J/m^2\""}};
+  EXPECT_TRUE(warns(checked(small_die, clean_wall), {"beads / wall of steel does not adhere", "[[pairs]]"}));
+  const std::string stated =
+      with(small_die, "[contact]",
+           "[[pairs]]\nmaterials = [\"glass\", \"steel\"]\nwork_of_adhesion = \"0 J/m^2\"\n\n[contact]");
+  EXPECT_FALSE(warns(checked(stated, clean_wall), {"does not adhere"}));
+}
+
+TEST(Check, KnowsThePullOffOfEveryLaw) {
+  const std::vector<Override> dmt = {{"contact.normal", "\"hertz\""}, {"contact.cohesion", "\"dmt\""}};
+  const Checked k = checked(small_die, dmt);
+  expect_close(k.forecast.pairs[0].pull_off_real, 2.0 * M_PI * work_glass * d50 / 4, 1e-9, "grains");
+  expect_close(k.forecast.pairs[1].pull_off, 100.0 * 2.0 * M_PI * work_wall * d50 / 2, 1e-9,
+               "parcel at wall");
+  expect_close(k.forecast.pairs[1].bond_real, 2.0 * M_PI * work_wall * d50 / 2 / (mass_of(d50) * g), 1e-9,
+               "Bond");
+  for (const std::string& w : k.forecast.warnings) EXPECT_FALSE(has(w, "surface energy")) << w;
+}
+
+TEST(Check, WarnsOfCohesionTooStrongForTheStiffness) {
+  // Overlap without force: (1.5 pi k_c/E*)^2 R*.
+  const double soft = modulus(e_soft, nu_glass, e_soft, nu_glass);
+  const auto die = [&](double share) {  // of the radius, at beads / beads
+    const double density = soft / (1.5 * M_PI) * std::sqrt(2.0 * share);
+    return checked(small_die, {{"contact.normal", "\"hertz\""},
+                               {"contact.cohesion", "\"sjkr2_reduced_radius\""},
+                               {"contact.cohesion_energy_density", fmt::format("\"{} Pa\"", density)}});
+  };
+  expect_close(die(0.009).forecast.pairs[0].own_overlap, 0.009, 1e-6, "own overlap");
+  EXPECT_FALSE(warns(die(0.009), {"beads / beads", "too strong for the stiffness"}));
+  EXPECT_TRUE(warns(die(0.011), {"beads / beads: cohesion is too strong for the stiffness", "1.10 %"}));
+}
+
+TEST(Check, WarnsOfContactsThatCollapse) {
+  // Hooke with the same stiffness k at all sizes holds if 2 pi k_c R* < k, for parcels 10 k and 10 R*.
+  const auto die = [&](double share) {
+    const double density = share * 1.0 / (2.0 * M_PI * d50 / 2);
+    return checked(small_die, {{"contact.normal", "\"hooke\""},
+                               {"contact.normal_stiffness", "\"1 N/m\""},
+                               {"contact.cohesion", "\"sjkr2_reduced_radius\""},
+                               {"contact.cohesion_energy_density", fmt::format("\"{} Pa\"", density)}});
+  };
+  EXPECT_FALSE(warns(die(0.99), {"cohesion exceeds stiffness"}));
+  const Checked above = die(1.01);
+  EXPECT_TRUE(warns(above, {"beads / wall of steel: cohesion exceeds stiffness"}));
+  EXPECT_FALSE(warns(above, {"beads / beads: cohesion exceeds stiffness"})) << "R* is half of it";
+}
+
+TEST(Check, WarnsOfARestitutionThatCohesionTakesAway) {
+  const auto die = [](const char* energy, const char* restitution) {
+    return checked(small_die, {{"materials.glass.surface_energy", energy},
+                               {"materials.glass.restitution", restitution},
+                               {"time.characteristic_speed", "\"0.05 m/s\""}});
+  };
+  const Checked weak = die("\"1e-6 J/m^2\"", "0.9");
+  EXPECT_FALSE(warns(weak, {"beads / beads: restitution"}));
+  EXPECT_NEAR(weak.forecast.pairs[0].restitution_shown, 0.9, 0.01);
+  const Checked strong = die("\"5e-3 J/m^2\"", "0.99");
+  EXPECT_TRUE(warns(strong, {"beads / beads: restitution 0.99 is asked for", "0.05 m/s", "unreachable"}));
+  const PairForecast& p = strong.forecast.pairs[0];
+  EXPECT_LT(p.restitution_shown, 0.9 * 0.99);
+  EXPECT_LT(p.undamped_restitution, 0.99);
+  // The elastic JKR collision: e^2 = 1 - (v_s/v)^2.
+  expect_close(p.undamped_restitution, std::sqrt(1.0 - std::pow(p.sticking_speed / 0.05, 2)), 1e-3,
+               "elastic");
+  EXPECT_TRUE(warns(die("\"0.5 J/m^2\"", "0.99"), {"beads / beads: restitution", "show 0", "they stick"}));
+  const Checked damped = die("\"5e-3 J/m^2\"", "0.3");
+  EXPECT_TRUE(warns(damped, {"beads / beads: restitution 0.3 is asked for", "ask for more"}));
+}
+
 TEST(Check, ReportPrintsBothPowdersSideBySide) {
   const Checked k = checked(small_die);
   for (const PairForecast& p : k.forecast.pairs)
@@ -294,7 +371,8 @@ TEST(Check, ReportPrintsBothPowdersSideBySide) {
           fmt::format("{:.4g}", p.bond_real), fmt::format("{:.4g}", p.bond),
           format_quantity(p.sticking_speed_real, dimension::speed),
           format_quantity(p.sticking_speed, dimension::speed),
-          fmt::format("{:.3f}%", 100 * p.resting_overlap)})
+          fmt::format("{:.3f}%", 100 * p.resting_overlap),
+          fmt::format("{:.3g} / {:.3g}", p.restitution, p.restitution_shown)})
       EXPECT_TRUE(has(k.report, number)) << number << " is not in\n" << k.report;
   for (const char* part : {"beads / beads", "beads / wall of steel", "pull-off", "Bond", "parcels 145",
                            "memory", "70 GPa", "2 MPa", "keeping the pull-off force", "15 m/s^2"})

@@ -2,40 +2,19 @@
 // Every contact law from its keys to the engine, and what is said where a law cannot be used.
 #include <gtest/gtest.h>
 
+#include "case/keys.hpp"
 #include "case/reader.hpp"
 #include "engine/base/failure.hpp"
 #include "engine/laws/catalogue.hpp"
 #include "run/assemble.hpp"
+#include "run/pair_law.hpp"
+#include "tests/run/law_keys.hpp"
 #include "tests/run/small_die.hpp"
 
 using namespace pulvis;
 using namespace pulvis::tests;
 
 namespace {
-
-using Keys = std::vector<Override>;
-
-/// The numbers a part needs besides the materials', as written in a case.
-Keys numbers_of(const std::string& part) {
-  if (part == "hooke") return {{"contact.characteristic_speed", "\"0.1 m/s\""}};
-  if (part == "luding")
-    return {{"contact.normal_stiffness", "\"10 N/m\""},
-            {"contact.plastic_ratio", "5"},
-            {"contact.adhesion_ratio", "0.5"},
-            {"contact.plasticity_depth", "0.05"}};
-  if (part == "edinburgh") return {{"contact.unloading_ratio", "5"}, {"contact.constant_pull", "\"1 nN\""}};
-  if (part.starts_with("sjkr")) return {{"contact.cohesion_energy_density", "\"5 kJ/m^3\""}};
-  if (part.starts_with("capillary"))
-    return {{"contact.surface_tension", "\"72 mN/m\""},
-            {"contact.liquid_content", "1e-3"},
-            {"contact.contact_angle", "\"10 deg\""},
-            {"contact.liquid_viscosity", "\"1 mPa s\""}};
-  if (part == "hamaker")
-    return {{"contact.hamaker_constant", "\"1e-19 J\""},
-            {"contact.shortest_gap", "\"0.4 nm\""},
-            {"contact.longest_gap", "\"40 nm\""}};
-  return {};
-}
 
 Assembly assembled(Keys keys) { return assemble(read_case_text(small_die, "case.toml", keys)); }
 
@@ -74,6 +53,135 @@ TEST(ContactLaws, WithoutANumberTheyNeedAreRefusedWithItsKey) {
             std::string::npos);
   EXPECT_NE(refusal({{"contact.normal", "\"hooke\""}}).find("characteristic_speed"), std::string::npos);
   EXPECT_NE(refusal({{"contact.normal", "\"luding\""}}).find("plastic_ratio"), std::string::npos);
+}
+
+/// The same with one number set anew.
+Keys with_number(Keys keys, const std::string& key, const std::string& value) {
+  std::erase_if(keys, [&](const Override& o) { return o.key == key; });
+  keys.push_back({key, value});
+  return keys;
+}
+
+std::string written(double value, const std::string& unit) {
+  return unit == "-" ? fmt::format("{:.6g}", value) : fmt::format("\"{:.6g} {}\"", value, unit);
+}
+
+/// Where a case gives a property of the law; empty for what follows from Young's moduli.
+std::string key_of(const std::string& parameter) {
+  if (parameter == "friction" || parameter == "rolling_friction" || parameter == "restitution")
+    return "materials.glass." + parameter;
+  if (parameter == "work_of_adhesion") return "materials.glass.surface_energy";
+  if (parameter == "effective_modulus") return "materials.glass.young_modulus";
+  return "contact." + parameter;
+}
+
+TEST(ContactLaws, RefuseEveryParameterOutOfItsRange) {
+  std::size_t refused = 0;
+  for (const auto& [kind, part] : parts_of_catalogue())
+    for (const laws::Parameter& p : part->parameters) {
+      const std::string key = key_of(p.name);
+      const Keys sound = with_part(kind, std::string(part->name));
+      ASSERT_NO_THROW(assembled(sound)) << part->name;
+      // The pull is negative in the law and positive in a case.
+      const bool turned = std::string(p.name) == "constant_pull";
+      const double low = turned ? 0.0 : p.lowest, high = turned ? -p.lowest : p.highest;
+      for (const double value : {low > 0.0 ? 0.5 * low : -1.0, 30.0 * high}) {
+        const std::string said = refusal(with_number(sound, key, written(value, p.unit)));
+        const bool named = said.find(p.name) != std::string::npos || said.find(key) != std::string::npos;
+        EXPECT_TRUE(named) << part->name << ": " << key << " = " << value << " " << p.unit << ": " << said;
+        ++refused;
+      }
+    }
+  EXPECT_GT(refused, 60u);
+}
+
+TEST(ContactLaws, WithoutANumberTheyNeedAreRefusedAllOfThem) {
+  std::size_t needed = 0;
+  for (const auto& [kind, part] : parts_of_catalogue()) {
+    const Keys sound = with_part(kind, std::string(part->name));
+    for (const laws::Parameter& p : part->parameters) {
+      const std::string key = key_of(p.name);
+      const auto* row = case_file::find_key("contact", p.name);
+      if (row == nullptr || row->presence != case_file::Presence::required) continue;
+      Keys bare = sound;
+      ASSERT_EQ(std::erase_if(bare, [&](const Override& o) { return o.key == key; }), 1u) << key;
+      EXPECT_NE(refusal(bare).find(key + " is missing"), std::string::npos) << part->name << ": " << key;
+      ++needed;
+    }
+  }
+  EXPECT_EQ(needed, 19u) << "luding 3, edinburgh 1, sjkr 3, bridges 8, hamaker 3, twisting 1";
+}
+
+TEST(ContactLaws, OfEdinburghHaveExponentsThatExist) {
+  const Keys sound = law("edinburgh", "none");
+  EXPECT_NO_THROW(assembled(with_number(sound, "contact.adhesion_exponent", "2")));
+  EXPECT_NE(refusal(with_number(sound, "contact.loading_exponent", "1.2")).find("1 or 1.5"),
+            std::string::npos);
+  EXPECT_NE(refusal(with_number(sound, "contact.adhesion_exponent", "1.7")).find("1, 1.5 or 2"),
+            std::string::npos);
+}
+
+/// The small die with a table [[pairs]] for beads at the wall.
+std::string with_pair(const std::string& line) {
+  return with(small_die, "[contact]",
+              "[[pairs]]\nmaterials = [\"steel\", \"glass\"]\n" + line + "\n\n[contact]");
+}
+
+TEST(ContactLaws, LetAPairHaveItsOwnOfEveryNumber) {
+  std::size_t found = 0;
+  for (const auto& [kind, part] : parts_of_catalogue())
+    for (const laws::Parameter& p : part->parameters) {
+      const auto* row = case_file::find_key("contact", p.name);
+      if (row == nullptr) continue;
+      ++found;
+      const Keys keys = with_part(kind, std::string(part->name));
+      const auto pairs = [&](const std::string& text, const Keys& settings) {
+        return assemble(read_case_text(text, "case.toml", settings)).pairs;
+      };
+      const auto all = pairs(small_die, with_number(keys, "contact." + std::string(p.name), row->example));
+      const auto usual = pairs(small_die, keys);
+      const auto own = pairs(with_pair(std::string(p.name) + " = " + row->example), keys);
+      EXPECT_EQ(own[0].real.*p.value, usual[0].real.*p.value) << part->name << " " << p.name;
+      EXPECT_EQ(own[1].real.*p.value, all[1].real.*p.value) << part->name << " " << p.name;
+      EXPECT_EQ(own[1].simulated.*p.value, all[1].simulated.*p.value) << part->name << " " << p.name;
+    }
+  EXPECT_GT(found, 30u);
+}
+
+TEST(ContactLaws, OfAPairTakeItsOwnSpeedBeforeTheStiffnessOfAll) {
+  const Keys keys = {{"contact.normal", "\"hooke\""}, {"contact.normal_stiffness", "\"10 N/m\""}};
+  const Assembly a =
+      assemble(read_case_text(with_pair("characteristic_speed = \"0.3 m/s\""), "case.toml", keys));
+  EXPECT_EQ(a.pairs[0].real.normal_stiffness, 10.0);
+  EXPECT_EQ(a.pairs[1].real.normal_stiffness, 0.0);
+  EXPECT_EQ(a.pairs[1].real.characteristic_speed, 0.3);
+}
+
+TEST(ContactLaws, RefuseANumberOfAPairThatTheLawDoesNotAskFor) {
+  const std::string text = with_pair("hamaker_constant = \"1e-19 J\"");
+  try {
+    read_case_text(text, "case.toml");
+    ADD_FAILURE() << "accepted";
+  } catch (const Failure& f) {
+    for (const char* part :
+         {"pairs[0].hamaker_constant has no meaning", "contact.cohesion is \"none\"", "\"hamaker\""})
+      EXPECT_TRUE(has(f.what(), part)) << part << " is not in\n" << f.what();
+  }
+}
+
+TEST(ContactLaws, WithoutCohesionBetweenAPairLeaveItWithThePlainLaw) {
+  const auto law_at_wall = [&](const Keys& keys, const std::string& line) {
+    const Assembly a = assemble(read_case_text(with_pair(line), "case.toml", keys));
+    EXPECT_EQ(a.model.classes.all()[a.model.classes.index(0, 0)].law.cohesion->name,
+              named_law(read_case_text(small_die, "case.toml", keys).contact).cohesion->name);
+    return a.model.classes.all()[a.model.classes.index(0, 1)].law;
+  };
+  EXPECT_EQ(law_at_wall(law("hertz", "capillary_soulie"), "surface_tension = \"0 N/m\"").cohesion->name,
+            "none");
+  EXPECT_EQ(law_at_wall(law("hertz", "hamaker"), "hamaker_constant = \"0 J\"").cohesion->name, "none");
+  EXPECT_EQ(law_at_wall(law("hertz", "sjkr"), "cohesion_energy_density = \"0 Pa\"").cohesion->name, "none");
+  EXPECT_EQ(law_at_wall(law("hertz", "dmt"), "work_of_adhesion = \"0 J/m^2\"").cohesion->name, "none");
+  EXPECT_EQ(law_at_wall(law("jkr", "none"), "work_of_adhesion = \"0 J/m^2\"").normal->name, "hertz");
 }
 
 TEST(ContactLaws, ThatDoNotGoTogetherAreRefused) {

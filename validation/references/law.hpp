@@ -146,7 +146,7 @@ inline ReferenceResponse reference_response(const laws::Law& law, const laws::To
   g.secant = n.secant;
   if (damped && choices.tangential_damping)
     g.damping = reference_dashpot(n.tangential * damping_size, mass, m.restitution, n.damping_shape);
-  const auto limit = choices.cohesion_limit == laws::CohesionLimit::standard ? law.cohesion->standard_limit
+  const auto limit = choices.cohesion_limit == laws::CohesionLimit::standard ? laws::CohesionLimit::without
                                                                              : choices.cohesion_limit;
   const Quad in_limit = choices.limit_includes_dashpot ? dashpot : Quad{0};
   const Quad cohesive = limit == laws::CohesionLimit::without ? Quad{0}

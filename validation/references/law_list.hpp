@@ -13,6 +13,14 @@ inline std::string name_of(const laws::Law& law) {
   return name;
 }
 
+/// Every choice that changes a formula in at least two ways.
+inline const laws::Choices choices_to_test[] = {
+    {},
+    {true, false, true, laws::CohesionLimit::with, true, true, 1.0},
+    {false, true, false, laws::CohesionLimit::without, false, false, 2.0},
+    {true, true, true, laws::CohesionLimit::shifted, true, true, 2.0},
+};
+
 /// Every part at least once: each normal law with each dashpot, each cohesion on the normal laws it belongs to,
 /// and each sliding law with each rolling and twisting law.
 inline const std::vector<laws::Law>& laws_to_test() {

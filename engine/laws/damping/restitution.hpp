@@ -20,12 +20,13 @@ namespace pulvis::laws::damping {
 ///            doi:10.1016/0032-5910(92)88030-L (the form of the dashpot); (1) and (2) in closed form:
 ///            D. Antypov, J. A. Elliott, EPL 94 (2011) 50004, doi:10.1209/0295-5075/94/50004, eq. 10 and 17
 ///            (there alpha = -sqrt(5) beta on the secant stiffness); the tangential one as in the LIGGGHTS family.
-/// Valid      0 < e <= 1. With Hertz and with Hooke e is returned exactly if nothing clips the force; with
-///            adhesion the collision loses more (see the law's energy).
+/// Valid      0 < e <= 1. With Hertz and with Hooke e is returned exactly if nothing clips the force. In steps
+///            of dt it is off by about dt: at e = 0.1 and a thousandth of the contact time by up to 0.6 % of e with
+///            Hooke, 0.3 % with Hertz. With adhesion the collision loses more (see the law's energy).
 /// Touch      Hertz: the dashpot grows from zero with delta^(1/4); linear laws: it sets in at once, the force
 ///            jumps by c v_n. Separation: shortly before it the dashpot outweighs the spring: the contact pulls.
 /// Energy     dissipative.
-/// Tests      tests/verification/impact_test.cpp.
+/// Tests      validation/restitution.cpp.
 struct Restitution {
   static constexpr const char* name = "restitution";
   struct Pair {

@@ -51,7 +51,8 @@ struct Edinburgh {
     double without;    ///< 1 where the limit is "without", else 0
   };
   static constexpr std::array parameters{
-      Parameter{"unloading_ratio", &MaterialPair::unloading_ratio, 1.001, 1e4, "-"}, needs::work_of_adhesion,
+      needs::effective_modulus, needs::work_of_adhesion,
+      Parameter{"unloading_ratio", &MaterialPair::unloading_ratio, 1.001, 1e4, "-"},
       Parameter{"constant_pull", &MaterialPair::constant_pull, -1e3, 0.0, "N"}};
 
   static Pair mix(const MaterialPair& pair, const Choices& choices) {

@@ -15,7 +15,7 @@ namespace pulvis::laws::normal {
 /// Valid      a << R*, elastic, smooth; in practice delta below a few per cent of R*.
 /// Touch      at delta = 0 with zero force. Separation at delta = 0.
 /// Energy     (8/15) E* sqrt(R*) delta^(5/2), stored and returned.
-/// Tests      tests/laws/normal_test.cpp, tests/verification/impact_test.cpp.
+/// Tests      tests/laws/normal_test.cpp, validation/chung_ooi.cpp.
 struct Hertz {
   static constexpr const char* name = "hertz";
   static constexpr bool adhesive = false, remembers = false;

@@ -24,7 +24,7 @@ namespace pulvis::laws::normal {
 /// Touch      at delta = 0 with zero force. Separation at delta = 0.
 /// Energy     k_n delta^2/2, stored and returned.
 /// Tangential k_t = tangential_ratio k_n, the same for the dashpots.
-/// Tests      tests/laws/normal_test.cpp.
+/// Tests      tests/laws/normal_test.cpp, validation/restitution.cpp.
 struct Hooke {
   static constexpr const char* name = "hooke";
   static constexpr bool adhesive = false, remembers = false;

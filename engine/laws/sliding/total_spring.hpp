@@ -24,7 +24,8 @@ namespace pulvis::laws::sliding {
 ///            with k_t when the contact opens or closes.
 /// Touch      xi = 0. Separation: xi is forgotten.
 /// Energy     k_t xi^2/2 stored at fixed k_t; slip and dashpot dissipate.
-/// Tests      tests/laws/sliding_test.cpp, tests/verification/incline_test.cpp.
+/// Tests      tests/laws/sliding_test.cpp, tests/verification/incline_test.cpp,
+///            validation/chung_ooi.cpp.
 struct TotalSpring {
   static constexpr const char* name = "total_spring";
   static constexpr bool remembers_grip = false;

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "run/pair_law.hpp"
+
+namespace pulvis {
+namespace {
+
+laws::LawNames names_of(const ContactChoice& c) {
+  return {c.normal, c.damping, c.sliding, c.rolling, c.cohesion, c.twisting};
+}
+
+}  // namespace
+
+laws::Choices law_choices(const ContactChoice& c) {
+  laws::Choices choices;
+  choices.limit_includes_dashpot = c.friction_limit == "total";
+  choices.damping_on_jkr_radius = c.damping_radius == "jkr_radius";
+  choices.tangential_damping = c.tangential_damping;
+  choices.cohesion_limit = c.cohesion_in_limit == "without"   ? laws::CohesionLimit::without
+                           : c.cohesion_in_limit == "with"    ? laws::CohesionLimit::with
+                           : c.cohesion_in_limit == "shifted" ? laws::CohesionLimit::shifted
+                                                              : laws::CohesionLimit::standard;
+  choices.bridges_form_on_approach = c.bridges_form == "approach";
+  choices.linear_loading = c.loading_exponent == 1.0;
+  choices.adhesion_exponent = c.adhesion_exponent;
+  return choices;
+}
+
+laws::Law named_law(const ContactChoice& c) { return laws::find_law(names_of(c)); }
+
+double cohesion_strength(const ContactChoice& c, const laws::MaterialPair& pair) {
+  if (c.normal == "jkr" || c.cohesion == "dmt") return pair.work_of_adhesion;
+  if (c.normal == "edinburgh") return pair.work_of_adhesion - pair.constant_pull;
+  if (c.normal == "luding") return pair.adhesion_ratio;
+  if (c.cohesion == "hamaker") return pair.hamaker_constant;
+  if (c.cohesion.starts_with("capillary")) return pair.surface_tension;
+  if (c.cohesion.starts_with("sjkr")) return pair.cohesion_energy_density;
+  return 0.0;
+}
+
+laws::Law pair_law(const ContactChoice& c, const laws::MaterialPair& pair) {
+  laws::LawNames names = names_of(c);
+  if (cohesion_strength(c, pair) == 0.0) {
+    names.cohesion = "none";
+    if (c.normal == "jkr") names.normal = "hertz";
+  }
+  return laws::find_law(names);
+}
+
+}  // namespace pulvis
