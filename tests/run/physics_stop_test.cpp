@@ -114,8 +114,9 @@ TEST(LimitOfAPhase, EndsItOtherwiseAndTellsWhatIsMissing) {
   ASSERT_EQ(run.exit(), 0) << run.outcome().err;
   const Json r = run.result();
   EXPECT_EQ(r.at("phases")[0].at("ended_by"), "time_limit");
-  ASSERT_FALSE(r.at("warnings").empty());
-  expect_in(r.at("warnings").back(), {"source rain", "phase fill", "time_limit"});
+  std::string all;  // a warning about something else may stand beside it
+  for (const auto& warning : r.at("warnings")) all += warning.get<std::string>() + "\n";
+  expect_in(all, {"source rain", "phase fill", "time_limit"});
   expect_in(run.outcome().err, {"warning: source rain"});
 }
 

@@ -69,8 +69,11 @@ void expect_refused(const std::string& text, int exit, const std::vector<std::st
 TEST(DieFromAnStlFile, FillsAsTheBoxDoesThatItIs) {
   TemporaryFolder folder;
   folder.file("die.stl", open_box());
-  const Outcome mesh = call({"run", folder.file("mesh.toml", with_mesh()), "--out", folder / "mesh"});
-  const Outcome box = call({"run", folder.file("box.toml", small_die), "--out", folder / "box"});
+  const std::string calm = "phases.measure.duration=\"0.04 s\"";  // four times as long to come to rest
+  const Outcome mesh =
+      call({"run", folder.file("mesh.toml", with_mesh()), "--out", folder / "mesh", "--set", calm});
+  const Outcome box =
+      call({"run", folder.file("box.toml", small_die), "--out", folder / "box", "--set", calm});
   ASSERT_EQ(mesh.exit, 0) << mesh.err;
   ASSERT_EQ(box.exit, 0) << box.err;
   const Json a = json_of(folder / "mesh/result.json"), b = json_of(folder / "box/result.json");
@@ -81,8 +84,8 @@ TEST(DieFromAnStlFile, FillsAsTheBoxDoesThatItIs) {
     return j["phases"].back()["walls"]["die"]["force_N"][2].get<double>();
   };
   const double weight = -9.81 * a["ledger_mass"]["present"].get<double>();
-  EXPECT_NEAR(force(a), weight, 1e-2 * -weight) << "the bed still trembles a little";
-  EXPECT_NEAR(force(b), weight, 1e-2 * -weight);
+  EXPECT_NEAR(force(a), weight, 5e-3 * -weight) << "the bed still trembles a little";
+  EXPECT_NEAR(force(b), weight, 5e-3 * -weight);
   EXPECT_TRUE(vtk_reads_all_of(folder / "mesh"));
   EXPECT_GT(lines_of(text_of(folder / "mesh/wall-forces.csv")).size(), 3u);
   EXPECT_GT(lines_of(text_of(folder / "mesh/wall-pressure/after-settle.csv")).size(), 3u);
