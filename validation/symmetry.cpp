@@ -172,6 +172,8 @@ double moved_difference(const laws::Law& law, const Rigid& place, bool triangles
   return worst;
 }
 
+/// Three bodies that collide spread what roundings begin, most where a force is steep: JKR's curve is vertical at
+/// rupture. How exact the laws themselves are says the row of one contact in a turned frame.
 void rotation_and_translation(Findings& f, int places) {
   WorstLaw turned, shifted;
   for (const laws::Law& law : laws_to_test())
@@ -186,9 +188,11 @@ void rotation_and_translation(Findings& f, int places) {
       }
     }
   add_row(f, "three spheres and a wall, all turned: path, spin, force, torque",
-          "roundings of places (4e-19 m) over overlaps (1e-6 m), 300 steps", turned, 1e-11);
+          "roundings of places (4e-19 m) over overlaps (1e-6 m), 300 steps, more where JKR breaks", turned,
+          1e-10);
   add_row(f, "three spheres and a wall, all shifted by 8 mm: path, spin, force, torque",
-          "roundings of places (2e-18 m) over overlaps (1e-6 m), 300 steps", shifted, 1e-11);
+          "roundings of places (2e-18 m) over overlaps (1e-6 m), 300 steps, more where JKR breaks", shifted,
+          1e-10);
 }
 
 }  // namespace
