@@ -90,7 +90,8 @@ int main(int argc, char** argv) {
   app.footer(
       "Exit codes: 0 completed, 2 usage or results folder in use, 3 invalid case, 4 unreadable input, 5 "
       "physics\n"
-      "(not a number, lost parcel), 6 results cannot be written, 7 internal check, 8 a target was missed,\n"
+      "(not a number, lost parcel), 6 results cannot be written, 7 internal check, 8 validate: a limit not "
+      "kept,\n"
       "75 stopped with a checkpoint by SIGTERM, SIGUSR1 or --max-wall, 130 Ctrl-C");
   app.set_version_flag("--version", PULVIS_VERSION);
   app.require_subcommand(1);

@@ -114,7 +114,7 @@ void add_adhesion(Table& table) {
             [](const PairNumbers& n) { return n.contact.formation_gap(); });
   table.add("contact breaks at the gap", dimension::length,
             [](const PairNumbers& n) { return n.contact.separation_gap(); });
-  table.add("work of separation", dimension::energy,
+  table.add("work to pull apart from rest", dimension::energy,
             [](const PairNumbers& n) { return n.adhesion.separation_work; });
   table.add("work lost by touch and separation", dimension::energy,
             [](const PairNumbers& n) { return n.adhesion.lost_work; });
@@ -218,10 +218,10 @@ std::string heading(const Assembly& a, const PairProperties& p, const PairNumber
 double speed_from(const std::string& text) {
   const QuantityReading reading = read_quantity(text);
   if (!reading.quantity) throw Failure(Exit::usage, fmt::format("--speed {}: {}", text, reading.message));
-  if (reading.quantity->dimension != dimension::speed || !(reading.quantity->value > 0.0) ||
-      !std::isfinite(reading.quantity->value))
+  if (reading.quantity->dimension != dimension::speed || !(reading.quantity->value >= 1e-9) ||
+      !(reading.quantity->value <= 1e4))
     throw Failure(Exit::usage,
-                  fmt::format("--speed {}: expected a speed above zero, like \"0.1 m/s\"", text));
+                  fmt::format("--speed {}: expected a speed from 1e-9 to 1e4 m/s, like \"0.1 m/s\"", text));
   return reading.quantity->value;
 }
 

@@ -4,12 +4,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace pulvis {
 namespace {
 
 constexpr double most_resting_overlap = 0.01, most_impact_overlap = 0.05;  // over the radius
 constexpr double least_restitution = 0.9;                                  // shown over asked for
+constexpr double most_restitution_of_steps = 0.1;  // shown in coarse and in fine steps
 
 void add_overlap_warnings(double speed, const PairForecast& p, std::vector<std::string>& warnings) {
   const std::string pair = p.first + " / " + p.second;
@@ -49,6 +51,17 @@ void add_restitution_warning(double speed, const PairForecast& p, std::vector<st
                                            p.undamped_restitution));
   else
     warnings.push_back(shown + ": cohesion or yielding takes the rest; ask for more to get it");
+}
+
+/// Too few time steps per contact to show what the law would.
+void add_step_warning(double speed, const PairForecast& p, std::vector<std::string>& warnings) {
+  if (!p.holds || std::fabs(p.restitution_in_steps - p.restitution_shown) <= most_restitution_of_steps)
+    return;
+  warnings.push_back(
+      fmt::format("{} / {}: at this time step collisions at {:.3g} m/s show a restitution of {:.3g}, in fine "
+                  "steps {:.3g}: "
+                  "lower time.fraction or time.step",
+                  p.first, p.second, speed, p.restitution_in_steps, p.restitution_shown));
 }
 
 /// Whether the case says itself how strongly a pair of materials coheres.
@@ -94,6 +107,7 @@ std::vector<std::string> pair_warnings(const Case& c, const Assembly& a,
   for (const PairForecast& p : pairs) {
     add_overlap_warnings(a.time_step.characteristic_speed, p, warnings);
     add_restitution_warning(a.time_step.characteristic_speed, p, warnings);
+    add_step_warning(a.time_step.characteristic_speed, p, warnings);
   }
   add_missing_cohesion(c, a, pairs, warnings);
   return warnings;

@@ -63,6 +63,8 @@ PairForecast forecast_pair(const Case& c, const Assembly& a, const PairPropertie
   f.impact_overlap = undamped.largest_overlap / parcel.radius;
   f.restitution = parcel.restitution;
   f.restitution_shown = shown.restitution;
+  f.restitution_in_steps =
+      single_contact::collide(parcel.contact, a.time_step.characteristic_speed, a.time_step.step).restitution;
   f.undamped_restitution = undamped.restitution;
   return f;
 }

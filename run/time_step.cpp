@@ -100,8 +100,9 @@ TimeStep choose_time_step(const Case& c, const std::vector<Species>& species,
     const bool wall = !species[p.second].is_powder;
     const double r1 = radius[p.first], m1 = mass[p.first], r2 = radius[p.second], m2 = mass[p.second];
     const double r = wall ? r1 : r1 * r2 / (r1 + r2), m = wall ? m1 : m1 * m2 / (m1 + m2);
-    for (const laws::TimeLimit& limit : laws::time_limits(c.contact.normal, c.contact.cohesion, p.simulated,
-                                                          m, r, result.characteristic_speed))
+    for (const laws::TimeLimit& limit :
+         laws::time_limits(c.contact.normal, c.contact.cohesion, p.simulated, m, r,
+                           result.characteristic_speed, c.contact.loading_exponent))
       result.limits.push_back({limit.kind, pair_name(species, p), limit.time});
   }
   std::sort(result.limits.begin(), result.limits.end(),

@@ -53,6 +53,8 @@ JkrAnswer jkr_law_at(const JkrContact& c, double overlap) {
           static_cast<double>(ours.elastic / pull_off), ours.elastic};
 }
 
+double jkr_rupture_of(const JkrContact& c) { return plain_jkr().separation_gap(c.radius, constants_of(c)); }
+
 double jkr_separation_work_of(const JkrContact& c) {
   // delta = -delta_c (1 - u^2): the square root at rupture becomes smooth in u.
   const double stretch = laws::jkr_stretch(c.radius, c.modulus, c.work);

@@ -33,6 +33,9 @@ struct JkrAnswer {
 };
 JkrAnswer jkr_law_at(const JkrContact& c, double overlap);
 
+/// Stretch at which the law breaks, m.
+double jkr_rupture_of(const JkrContact& c);
+
 /// Area under the stretched branch, J, by Simpson's rule.
 double jkr_separation_work_of(const JkrContact& c);
 

@@ -62,6 +62,7 @@ void make_folder(const std::string& folder) {
 Exit validate(const Request& request) {
   std::vector<Result> results = chosen(request.only);
   if (!request.out.empty()) make_folder(request.out);
+  if (!request.json.empty()) write_file_safely(request.json, json_text({}));  // an hour later would be late
   run_all(results, request.quick ? Effort::quick : Effort::full, request.threads);
   fmt::print("{}", table_text(results));
   if (!request.out.empty()) {

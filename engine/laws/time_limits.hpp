@@ -19,21 +19,24 @@ struct TimeLimit {
 ///   hertz                hertz_contact_time
 ///   cohesive stiffness   sqrt(m*/k), k the JKR stiffness at zero overlap
 ///   cohesive speed       delta_c/(10 v_s), v_s the sticking speed of JKR
-///   linear spring        pi sqrt(m*/k), k the largest stiffness of hooke, luding
-///   unloading            the hertz limit over sqrt(k_2/k_1) of edinburgh
+///   linear spring        sqrt(m*/k), k the largest stiffness of hooke, luding: half of where steps become unstable
+///   unloading            edinburgh: the hertz limit over sqrt(k_2/k_1); with the exponent 1 sqrt(m*/k_2)
 ///   liquid               m*/c, c the largest damping of a bridge
 ///   van der Waals        sqrt(m*/k), k the slope of the pull at the shortest gap
 inline std::vector<TimeLimit> time_limits(std::string_view normal, std::string_view cohesion,
-                                          const MaterialPair& pair, double m, double r, double speed) {
+                                          const MaterialPair& pair, double m, double r, double speed,
+                                          double loading_exponent = 1.5) {
   const double e = pair.effective_modulus, w = pair.work_of_adhesion;
   const double hertz = hertz_contact_time(m, r, e, speed);
   std::vector<TimeLimit> limits{{"hertz", hertz}};
   if (normal == "hooke" || normal == "luding") {
     const double k = pair.normal_stiffness > 0.0 ? pair.normal_stiffness
                                                  : linear_stiffness(m, r, e, pair.characteristic_speed);
-    limits.push_back({"linear spring", pi * root(m / (k * greatest(pair.plastic_ratio, 1.0)))});
+    limits.push_back({"linear spring", root(m / (k * greatest(pair.plastic_ratio, 1.0)))});
   }
-  if (normal == "edinburgh") limits.push_back({"unloading", hertz / root(pair.unloading_ratio)});
+  if (normal == "edinburgh")
+    limits.push_back({"unloading", loading_exponent < 1.25 ? root(m / (2.0 * e * r * pair.unloading_ratio))
+                                                           : hertz / root(pair.unloading_ratio)});
   if (pair.liquid_viscosity > 0.0 && pair.surface_tension > 0.0)
     limits.push_back({"liquid", m * pair.shortest_bridge_gap / (6.0 * pi * pair.liquid_viscosity * r)});
   if (cohesion == "hamaker" && pair.hamaker_constant > 0.0)
