@@ -11,7 +11,7 @@ namespace {
 
 constexpr double most_resting_overlap = 0.01, most_impact_overlap = 0.05;  // over the radius
 constexpr double least_restitution = 0.9;                                  // shown over asked for
-constexpr double most_restitution_of_steps = 0.1;  // shown in coarse and in fine steps
+constexpr double most_restitution_of_steps = 0.05;  // shown in coarse and in fine steps
 
 void add_overlap_warnings(double speed, const PairForecast& p, std::vector<std::string>& warnings) {
   const std::string pair = p.first + " / " + p.second;

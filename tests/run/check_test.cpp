@@ -363,6 +363,19 @@ TEST(Check, WarnsOfARestitutionThatCohesionTakesAway) {
   EXPECT_TRUE(warns(damped, {"beads / beads: restitution 0.3 is asked for", "ask for more"}));
 }
 
+TEST(Check, WarnsOfStepsTooCoarseToShowTheRestitution) {
+  const auto warned = [](const std::string& fraction) {
+    const std::vector<Override> keys = {{"contact.normal", "\"hooke\""},
+                                        {"contact.normal_stiffness", "\"1000 N/m\""},
+                                        {"time.fraction", fraction}};
+    for (const std::string& warning : checked(small_die, keys).forecast.warnings)
+      if (has(warning, "at this time step collisions at") && has(warning, "lower time.fraction")) return true;
+    return false;
+  };
+  EXPECT_TRUE(warned("1"));
+  EXPECT_FALSE(warned("0.05"));
+}
+
 TEST(Check, ReportPrintsBothPowdersSideBySide) {
   const Checked k = checked(small_die);
   for (const PairForecast& p : k.forecast.pairs)

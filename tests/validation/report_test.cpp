@@ -8,6 +8,7 @@
 
 #include "case/case.hpp"
 #include "validation/collisions.hpp"
+#include "validation/validate.hpp"
 
 using namespace pulvis;
 using namespace pulvis::validation;
@@ -53,6 +54,26 @@ TEST(ValidationReport, HasEveryRowInTableJsonAndPage) {
   EXPECT_TRUE(rows[2]["limit"].is_null());
   EXPECT_FALSE(all_passed({r}));
   EXPECT_FALSE(all_passed({}));
+}
+
+TEST(Validate, NoticesAFileItCannotWriteBeforeItRuns) {
+  Request request;
+  request.only = {"jkr"};
+  request.threads = 1;
+  request.json = "/nowhere/at/all.json";
+  try {
+    validate(request);
+    ADD_FAILURE() << "wrote it";
+  } catch (const Failure& failure) {
+    EXPECT_EQ(failure.code(), Exit::io);
+  }
+  request.only = {"alchemy"};
+  try {
+    validate(request);
+    ADD_FAILURE() << "there is such a chapter";
+  } catch (const Failure& failure) {
+    EXPECT_EQ(failure.code(), Exit::usage);
+  }
 }
 
 TEST(AutomaticStep, TakesTheStandardShareOfTheSmallestLimit) {
