@@ -22,8 +22,8 @@ struct PairForecast {
   // dashpot could show.
   double restitution = 1.0, restitution_shown = 1.0, undamped_restitution = 1.0;
   double restitution_in_steps = 1.0;  ///< at the time step of the case
-  bool coheres = false;  ///< has an attraction, even one without a pull-off force of its own
-  bool holds = true;     ///< false: the attraction exceeds the stiffness at any overlap
+  bool coheres = false;               ///< has an attraction, even one without a pull-off force of its own
+  bool holds = true;                  ///< false: the attraction exceeds the stiffness at any overlap
 };
 
 struct Forecast {
