@@ -16,27 +16,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-template <class... Things>
-std::vector<std::byte> packed(const Things&... things) {
-  ByteWriter writer;
-  writer(things...);
-  return writer.take();
-}
-
-template <class... Things>
-void unpack(std::span<const std::byte> bytes, Things&... things) {
-  ByteReader reader(bytes);
-  reader(things...);
-  reader.end();
-}
-
 Checkpoint read_checkpoint(const std::string& path) {
   const ChunkFile file(path, Checkpoint::version);
   Checkpoint c;
   try {
-    unpack(file["case"], c.program, c.time_step, c.keys);
-    unpack(file["state"], c.state);
-    unpack(file["run"], c.loads, c.summary, c.results);
+    from_bytes(file["case"], c.program, c.time_step, c.keys);
+    from_bytes(file["state"], c.state);
+    from_bytes(file["run"], c.loads, c.summary, c.results);
   } catch (const Failure& failure) {
     throw Failure(Exit::bad_input, fmt::format("{}: {}", path, failure.what()));
   }
@@ -75,9 +61,9 @@ void Checkpoints::remove(std::uint64_t number) const {
 void Checkpoints::write(const Checkpoint& c) {
   folder_.folder("checkpoints");
   sync_folder(folder_.path());  // and with it the names of all that it knows of
-  const std::vector<Chunk> chunks = {{"case", packed(c.program, c.time_step, c.keys)},
+  const std::vector<Chunk> chunks = {{"case", to_bytes(c.program, c.time_step, c.keys)},
                                      {"state", save_state(c.state)},
-                                     {"run", packed(c.loads, c.summary, c.results)}};
+                                     {"run", to_bytes(c.loads, c.summary, c.results)}};
   write_chunk_file(file(last_ + 1), Checkpoint::version, chunks);
   ++last_;
   for (const std::uint64_t number : numbers())

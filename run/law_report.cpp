@@ -249,7 +249,8 @@ LawReport law_report(const Case& c, const Assembly& a, const Forecast& f, const 
         report.text += row(fmt::format("time-step limit: {}", limit.kind), "",
                            format_quantity(limit.time, dimension::time));
     for (const std::string& warning : f.warnings)
-      if (warning.starts_with(name)) report.warnings.push_back(warning);
+      if (warning.starts_with(name + ":") || warning.starts_with(name + " "))
+        report.warnings.push_back(warning);
     report.figures.push_back(figure_of(name, "grain", grain, speeds.back(), report.figures));
     report.figures.push_back(figure_of(name, "parcel", parcel, speeds.back(), report.figures));
   }

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "run/pair_law.hpp"
 
+#include <cmath>
+
+#include "run/species.hpp"
+
 namespace pulvis {
 namespace {
 
@@ -27,14 +31,21 @@ laws::Choices law_choices(const ContactChoice& c) {
 
 laws::Law named_law(const ContactChoice& c) { return laws::find_law(names_of(c)); }
 
+std::vector<std::string_view> cohesion_numbers(const ContactChoice& c) {
+  if (c.normal == "jkr" || c.cohesion == "dmt") return {"work_of_adhesion"};
+  if (c.normal == "edinburgh") return {"work_of_adhesion", "constant_pull"};
+  if (c.normal == "luding") return {"adhesion_ratio"};
+  if (c.cohesion == "hamaker") return {"hamaker_constant"};
+  if (c.cohesion.starts_with("capillary")) return {"surface_tension"};
+  if (c.cohesion.starts_with("sjkr")) return {"cohesion_energy_density"};
+  return {};
+}
+
 double cohesion_strength(const ContactChoice& c, const laws::MaterialPair& pair) {
-  if (c.normal == "jkr" || c.cohesion == "dmt") return pair.work_of_adhesion;
-  if (c.normal == "edinburgh") return pair.work_of_adhesion - pair.constant_pull;
-  if (c.normal == "luding") return pair.adhesion_ratio;
-  if (c.cohesion == "hamaker") return pair.hamaker_constant;
-  if (c.cohesion.starts_with("capillary")) return pair.surface_tension;
-  if (c.cohesion.starts_with("sjkr")) return pair.cohesion_energy_density;
-  return 0.0;
+  double strength = 0.0;
+  for (const std::string_view name : cohesion_numbers(c))
+    strength += std::abs(name == "work_of_adhesion" ? pair.work_of_adhesion : law_number(pair, name));
+  return strength;
 }
 
 laws::Law pair_law(const ContactChoice& c, const laws::MaterialPair& pair) {

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <string_view>
+#include <vector>
+
 #include "case/case.hpp"
 #include "engine/laws/catalogue.hpp"
 
@@ -10,8 +13,11 @@ laws::Choices law_choices(const ContactChoice& c);
 /// The law as the case names its parts.
 laws::Law named_law(const ContactChoice& c);
 
-/// The number that the attraction of the case's law grows with, of one pair: W, k_c, sigma, A_H, k_c/k_1, or W and
-/// f_0; 0 if the law knows none. For comparison with 0 only.
+/// The numbers, by their names in MaterialPair, that the attraction of the case's law grows with; none if it knows no
+/// attraction.
+std::vector<std::string_view> cohesion_numbers(const ContactChoice& c);
+
+/// The sum of their magnitudes for one pair: for comparison with 0 only.
 double cohesion_strength(const ContactChoice& c, const laws::MaterialPair& pair);
 
 /// The law that a pair really has: the case's, or the same without cohesion where the pair's strength is zero

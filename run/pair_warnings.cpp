@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "run/pair_law.hpp"
+
 namespace pulvis {
 namespace {
 
@@ -68,11 +70,13 @@ void add_step_warning(double speed, const PairForecast& p, std::vector<std::stri
 bool states_cohesion(const Case& c, const Species& a, const Species& b) {
   const PairOverride* own = find_override(c, a.material, b.material);
   if (own == nullptr) return false;
-  bool stated = own->work_of_adhesion.has_value();
-  for (const auto& [name, value] : own->numbers)
-    stated = stated || name == "cohesion_energy_density" || name == "surface_tension" ||
-             name == "hamaker_constant" || name == "adhesion_ratio" || name == "constant_pull";
-  return stated;
+  const auto states = [&](std::string_view name) {
+    if (name == "work_of_adhesion") return own->work_of_adhesion.has_value();
+    return std::any_of(own->numbers.begin(), own->numbers.end(),
+                       [&](const auto& number) { return number.first == name; });
+  };
+  const auto names = cohesion_numbers(c.contact);
+  return std::any_of(names.begin(), names.end(), states);
 }
 
 /// Surface energy that the law ignores, and pairs that stay out of a cohesion the others have.

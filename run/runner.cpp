@@ -91,22 +91,6 @@ void Runner::check_escapes() const {
                   e.id, e.through, text_of(e)));
 }
 
-/// Each step looks at what the one before it made; nobody else would look at what the last one made.
-void Runner::check_finite() const {
-  const auto finite = [](const Vec3& v) { return std::isfinite(dot(v, v)); };
-  const Parcel* bad = nullptr;
-  for (const Parcel& p : simulation_.state().parcels.body)
-    if (!(finite(p.position) && finite(p.velocity) && finite(p.spin)) && (!bad || p.id < bad->id)) bad = &p;
-  if (!bad) return;
-  const Vec3 &x = bad->position, &v = bad->velocity;
-  throw Failure(
-      Exit::physics,
-      fmt::format("position, velocity or spin is not a finite number: parcel {} at t = {:.6g} s, position "
-                  "({:.6g}, {:.6g}, {:.6g}) m, velocity ({:.6g}, {:.6g}, {:.6g}) m/s, radius {:.4g} m\n  "
-                  "the time step may be too large (lower time.fraction) or a material constant out of range",
-                  bad->id, simulation_.time(), x.x, x.y, x.z, v.x, v.y, v.z, bad->radius));
-}
-
 void Runner::look(bool phase_ends, const std::string& phase) {
   const std::uint64_t step = simulation_.state().step;
   if (phase_ends || (log_every_ && step % log_every_ == 0)) results_.log(simulation_, phase);
@@ -145,7 +129,7 @@ void Runner::show_progress() {
 
 /// Only between two steps, when all output of the one before is written.
 void Runner::save() {
-  check_finite();  // the last good one must not give way to one that leads nowhere
+  simulation_.require_finite();  // the last good one must not give way to one that leads nowhere
   book(summary().looking_time);
   checkpoint_.time_step = simulation_.model().dt;
   checkpoint_.state = simulation_.snapshot();
@@ -205,7 +189,7 @@ void Runner::run(double latest) {
   while (!procedure_.finished()) {
     step();
     const auto ended = procedure_.ended();
-    if (ended) check_finite();
+    if (ended) simulation_.require_finite();
     book(summary().stepping_time);
     look(ended.has_value(), procedure_.phase().name);
     if (simulation_.state().step % 16 == 0 || ended) show_progress();

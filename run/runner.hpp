@@ -43,7 +43,6 @@ class Runner {
   void save();
   void show_progress();
   void check_escapes() const;
-  void check_finite() const;
   void warn(const std::string& text);
   void book(double& account);
 

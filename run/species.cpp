@@ -2,6 +2,7 @@
 #include "run/species.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "engine/laws/estimates.hpp"
 
@@ -116,6 +117,12 @@ laws::MaterialPair simulated_pair(const Case& c, const Species& a, const Species
 }
 
 }  // namespace
+
+double law_number(const laws::MaterialPair& pair, std::string_view name) {
+  for (const LawNumber& number : law_numbers)
+    if (name == number.name) return pair.*number.of_pair;
+  throw std::invalid_argument("no number of the contact law is called " + std::string(name));
+}
 
 const PairOverride* find_override(const Case& c, std::size_t a, std::size_t b) {
   for (const auto& pair : c.pairs)

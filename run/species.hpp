@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "case/case.hpp"
@@ -42,10 +43,15 @@ std::size_t species_of_material(const std::vector<Species>& species, std::size_t
 /// What the case states for a pair of materials by itself, or nullptr.
 const PairOverride* find_override(const Case& c, std::size_t first_material, std::size_t second_material);
 
+/// A number of the contact law by its name (see law_numbers in species.cpp). Throws std::invalid_argument if there is
+/// none of that name.
+double law_number(const laws::MaterialPair& pair, std::string_view name);
+
 /// Mixes every pair of species of which at least one is a powder. The simulated pair follows from the real
 /// one in two steps, both stated in NOTATION:
 ///   softening        keep = pull_off: W stays; keep = sticking_speed: W (E*_sim/E*_real)^(2/5)
-///   coarse graining  stress similarity: W times alpha, everything else as it is
+///   coarse graining  stress similarity: W, stiffness, surface tension, viscosity and gaps times alpha, a constant
+///                    pull alpha^2, the Hamaker constant alpha^3, everything else as it is
 /// `keep` is that of the softened powder; two softened powders that adhere must agree in it (see assemble).
 /// Of two materials W = 2 sqrt(gamma_1 gamma_2): Dupre's gamma_1 + gamma_2 - gamma_12 with
 /// gamma_12 = (sqrt(gamma_1) - sqrt(gamma_2))^2, J. N. Israelachvili, Intermolecular and Surface Forces, 3rd ed.

@@ -10,6 +10,7 @@
 #include "engine/parcels/parcels.hpp"
 #include "run/body_pull.hpp"
 #include "run/build_walls.hpp"
+#include "run/pair_law.hpp"
 #include "run/wall_mesh.hpp"
 
 namespace pulvis {
@@ -101,8 +102,8 @@ TimeStep choose_time_step(const Case& c, const std::vector<Species>& species,
     const double r1 = radius[p.first], m1 = mass[p.first], r2 = radius[p.second], m2 = mass[p.second];
     const double r = wall ? r1 : r1 * r2 / (r1 + r2), m = wall ? m1 : m1 * m2 / (m1 + m2);
     for (const laws::TimeLimit& limit :
-         laws::time_limits(c.contact.normal, c.contact.cohesion, p.simulated, m, r,
-                           result.characteristic_speed, c.contact.loading_exponent))
+         laws::time_limits(pair_law(c.contact, p.simulated), p.simulated, law_choices(c.contact), m, r,
+                           result.characteristic_speed))
       result.limits.push_back({limit.kind, pair_name(species, p), limit.time});
   }
   std::sort(result.limits.begin(), result.limits.end(),

@@ -19,10 +19,6 @@ struct Collision {
 /// energy by less than 1e-4 of it. The restitution of damped collisions is then exact to 0.5 %.
 Collision collide(const Contact& contact, double speed);
 
-/// The same with time steps of a run, all `step` long (s): a contact is seen, and gone, at the end of one. It is first
-/// touched in the middle of a step.
-Collision collide(const Contact& contact, double speed, double step);
-
 /// The same at a fixed time step (s), as a run has it: contacts are seen, and end, between steps. First touch lies in
 /// the middle of a step.
 Collision collide(const Contact& contact, double speed, double step);

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "validation/chapters.hpp"
 #include "validation/references/cohesion.hpp"
@@ -12,7 +13,7 @@ namespace {
 
 constexpr const char* yade = "YADE, checkCapillaryModels.py";
 constexpr const char* willett = "Willett et al. (2000), doi:10.1021/la000657y";
-constexpr double ten_degrees = 10.0 * 3.14159265358979323846 / 180.0;
+constexpr double ten_degrees = 10.0 * std::numbers::pi / 180.0;
 
 /// A bridge between two spheres.
 struct Bridge {

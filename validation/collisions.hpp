@@ -138,14 +138,21 @@ inline laws::MaterialPair on_rigid_plane(double modulus, double poisson, double 
 /// What `time.fraction` of a case is where it does not say: share of the smallest limit.
 inline constexpr double standard_step_fraction = 0.2;
 
-/// The time step a case would be given for this collision, s, if the shortest Rayleigh time of the materials
-/// is `rayleigh`.
-inline double automatic_step(const Collision& c, double rayleigh) {
+/// The time step a case would be given, s, for bodies with this reduced mass and radius that meet at `speed`, if
+/// the shortest Rayleigh time of the materials is `rayleigh`.
+inline double automatic_step(const laws::Law& law, const laws::MaterialPair& material,
+                             const laws::Choices& choices, double mass, double radius, double speed,
+                             double rayleigh) {
   double least = rayleigh;
-  for (const laws::TimeLimit& limit : laws::time_limits(c.parts.normal, c.parts.cohesion, c.material,
-                                                        c.reduced_mass(), c.reduced_radius(), c.speed))
+  for (const laws::TimeLimit& limit : laws::time_limits(law, material, choices, mass, radius, speed))
     least = std::min(least, limit.time);
   return standard_step_fraction * least;
+}
+
+/// The same for a collision.
+inline double automatic_step(const Collision& c, double rayleigh) {
+  return automatic_step(law_of(c.parts), c.material, c.parts.choices, c.reduced_mass(), c.reduced_radius(),
+                        c.speed, rayleigh);
 }
 
 /// The same for like spheres, or one at a rigid plane, so that E*/G* = 2 (2 - nu)/(1 - nu) and

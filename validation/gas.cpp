@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <random>
 
 #include "validation/chapters.hpp"
@@ -13,7 +14,6 @@ namespace pulvis::validation {
 namespace {
 
 constexpr int per_edge = 6;
-constexpr double circle_ratio = 3.14159265358979323846;
 constexpr double smallest = 0.8e-3, largest = 1.2e-3;  // m, radii
 constexpr double edge = per_edge * 2.45e-3;            // m; the spheres fill 0.3 of the box
 constexpr double rms_speed = 0.2;                      // m/s
@@ -40,7 +40,7 @@ Simulation start(double dt) {
   std::mt19937_64 random(1);
   const auto unit = [&random] { return (static_cast<double>(random() >> 11) + 0.5) * 0x1p-53; };
   const auto normal = [&unit] {
-    return std::sqrt(-2.0 * std::log(unit())) * std::cos(2.0 * circle_ratio * unit());
+    return std::sqrt(-2.0 * std::log(unit())) * std::cos(2.0 * std::numbers::pi * unit());
   };
   std::vector<Parcel> parcels;
   for (int k = 0; k < per_edge * per_edge * per_edge; ++k) {

@@ -35,8 +35,8 @@ struct Incline {
   }
   /// What a case would be given, s.
   static double automatic_step() {
-    return standard_step_fraction *
-           std::min(contact_time(), laws::rayleigh_time(radius, density, young_modulus, poisson_ratio));
+    return scenes::automatic_step(law_of({}), Incline{}.material(), {}, mass(), radius, 1.0,
+                                  laws::rayleigh_time(radius, density, young_modulus, poisson_ratio));
   }
 
   Simulation start() const {

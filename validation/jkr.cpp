@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "engine/laws/estimates.hpp"
 #include "validation/chapters.hpp"
@@ -15,7 +16,6 @@ namespace {
 using scenes::Collision;
 using scenes::Outcome;
 
-constexpr double circle_ratio = 3.14159265358979323846;
 constexpr const char* johnson = "Johnson, Kendall, Roberts (1971), doi:10.1098/rspa.1971.0141";
 constexpr const char* thornton = "Thornton, Ning (1998), doi:10.1016/S0032-5910(98)00099-0";
 
@@ -42,13 +42,13 @@ void sixteen_overlaps(Findings& f) {
 void pull_off_and_work(Findings& f) {
   for (const JkrContact& c : jkr_contacts) {
     f.compare(fmt::format("stretch at rupture delta_c, m, {}", c.name), johnson,
-              0.75 * std::cbrt(square(circle_ratio * c.work / c.modulus) * c.radius), jkr_rupture_of(c),
+              0.75 * std::cbrt(square(std::numbers::pi * c.work / c.modulus) * c.radius), jkr_rupture_of(c),
               Compare::relative, 1e-9);
     double pull_off = 0.0;
     for (int k = 0; k <= 100000; ++k)
       pull_off = std::min(pull_off, jkr_law_at(c, -1.0 + 2e-5 * k).force_newton);
-    f.compare(fmt::format("pull-off force, N, {}", c.name), johnson, 1.5 * circle_ratio * c.work * c.radius,
-              -pull_off, Compare::relative, 1e-4);
+    f.compare(fmt::format("pull-off force, N, {}", c.name), johnson,
+              1.5 * std::numbers::pi * c.work * c.radius, -pull_off, Compare::relative, 1e-4);
     const double unit = std::cbrt(std::pow(c.work, 5) * std::pow(c.radius, 4) / (c.modulus * c.modulus));
     f.compare(fmt::format("work of separation W_s (lost by touch and separation), J, {}", c.name), thornton,
               7.0922 * unit, jkr_separation_work_of(c), Compare::relative, 1e-3);

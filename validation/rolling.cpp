@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "validation/chapters.hpp"
 #include "validation/incline.hpp"
@@ -14,7 +15,7 @@ namespace {
 using scenes::Incline;
 using scenes::run_to;
 
-constexpr double degree = 3.14159265358979323846 / 180.0;
+constexpr double degree = std::numbers::pi / 180.0;
 constexpr double never = std::numeric_limits<double>::quiet_NaN();
 constexpr const char* ai = "closed form of the tests of Ai et al. (2011), doi:10.1016/j.powtec.2010.09.030";
 

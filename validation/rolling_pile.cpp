@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <random>
 
 #include "validation/incline.hpp"
@@ -21,7 +22,7 @@ namespace {
 
 using scenes::Incline;
 
-constexpr double circle_ratio = 3.14159265358979323846, radius = Incline::radius;
+constexpr double radius = Incline::radius;
 constexpr double settling = 0.6, watching = 5.0;  // s: in the container, and without it
 constexpr const char* ai =
     "rest; Ai et al. (2011), doi:10.1016/j.powtec.2010.09.030, with 2,000 spheres in a cylinder as in "
@@ -56,7 +57,7 @@ void contain(Model& m, Surface surface) {
 /// Spheres packed at random in a cylinder, 15 radii wide for 2,000 of them, higher than they stand in it.
 Simulation cylinder(const Laws& laws, int count, double dt) {
   const double wide = 15.0 * radius * std::cbrt(count / 2000.0);
-  const double tall = count * sphere_volume(radius) / (0.3 * circle_ratio * wide * wide);
+  const double tall = count * sphere_volume(radius) / (0.3 * std::numbers::pi * wide * wide);
   Model m = model(laws, wide, tall, dt);
   for (const Surface& s :
        frustum_surfaces("container", {0, 0, -radius}, {0, 0, 1}, wide, wide, 1.2 * tall, {"base", "top"}))

@@ -3,13 +3,12 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "engine/math/vec3.hpp"
 
 namespace pulvis::validation {
 namespace {
-
-constexpr double circle_ratio = 3.14159265358979323846;
 
 Vec3 across(const Vec3& a, const Vec3& n) { return a - dot(a, n) * n; }
 
@@ -27,7 +26,7 @@ struct Mover {
 /// Contacts at the end of a step in whose middle the centre was at `middle`; false if there is none.
 bool push(Mover& s, const Vec3& middle, const Saddle& saddle, Plane plane, double dt) {
   const double decay = -std::log(Saddle::restitution);
-  const double damping = 2.0 * decay / std::sqrt(decay * decay + circle_ratio * circle_ratio) *
+  const double damping = 2.0 * decay / std::sqrt(decay * decay + std::numbers::pi * std::numbers::pi) *
                          std::sqrt(Saddle::stiffness * saddle.mass());
   bool touches = false;
   s.force = {0, 0, -saddle.mass() * Saddle::gravity};
@@ -64,7 +63,7 @@ bool push(Mover& s, const Vec3& middle, const Saddle& saddle, Plane plane, doubl
 
 double Saddle::circle() const { return std::sqrt(radius * radius + 2.0 * large() * radius); }
 double Saddle::share() const { return circle() / (large() + radius); }
-double Saddle::mass() const { return density * 4.0 / 3.0 * circle_ratio * radius * radius * radius; }
+double Saddle::mass() const { return density * 4.0 / 3.0 * std::numbers::pi * radius * radius * radius; }
 double Saddle::overlap() const { return mass() * gravity * std::cos(start) / (2.0 * share() * stiffness); }
 double Saddle::least_friction() const { return share() * std::tan(start); }
 double Saddle::least_rolling_friction() const {

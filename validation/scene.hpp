@@ -22,10 +22,14 @@ struct LawParts {
   std::string cohesion = "none", twisting = "none";
 };
 
+inline laws::Law law_of(const LawParts& parts) {
+  return laws::find_law(parts.normal, parts.damping, parts.sliding, parts.rolling, parts.cohesion,
+                        parts.twisting);
+}
+
 inline ContactClass contact_class(const laws::MaterialPair& pair, const LawParts& parts) {
   ContactClass c;
-  c.law = laws::find_law(parts.normal, parts.damping, parts.sliding, parts.rolling, parts.cohesion,
-                         parts.twisting);
+  c.law = law_of(parts);
   c.constants = c.law.mix(pair, parts.choices);
   c.kernel = kernels::contact_kernel(c.law, kernels::instruction_set());
   return c;

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "validation/chapters.hpp"
 #include "validation/collisions.hpp"
@@ -13,7 +14,7 @@
 namespace pulvis::validation {
 namespace {
 
-constexpr double degree = 3.14159265358979323846 / 180.0;
+constexpr double degree = std::numbers::pi / 180.0;
 constexpr double never = std::numeric_limits<double>::quiet_NaN();
 constexpr const char* statics = "statics (validation/saddle.hpp)";
 constexpr const char* energy = "energy of a rolling sphere (validation/saddle.hpp)";

@@ -8,6 +8,7 @@
 
 #include "engine/laws/time_limits.hpp"
 #include "validation/chapters.hpp"
+#include "validation/collisions.hpp"
 #include "validation/law_scene.hpp"
 #include "validation/meshes.hpp"
 #include "validation/references/law_list.hpp"
@@ -170,12 +171,9 @@ Difference compare_walls(const Trial& t, const laws::Law& law, double dt, std::u
 
 /// What a case would be given, s.
 double automatic_step(const laws::Law& law) {
-  const laws::MaterialPair m = with_every_property(stuff, stuff);
-  const double mass = stuff.density * sphere_volume(radius);
-  double least = laws::rayleigh_time(radius, stuff.density, stuff.young_modulus, stuff.poisson_ratio);
-  for (const auto& limit : laws::time_limits(law.normal->name, law.cohesion->name, m, mass, radius, 0.3))
-    least = std::min(least, limit.time);
-  return 0.2 * least;
+  return scenes::automatic_step(
+      law, with_every_property(stuff, stuff), {}, stuff.density * sphere_volume(radius), radius, 0.3,
+      laws::rayleigh_time(radius, stuff.density, stuff.young_modulus, stuff.poisson_ratio));
 }
 
 /// The worst of all laws, each with triangles of its own, at dt = `share` of the contact time.

@@ -140,18 +140,18 @@ class ByteReader {
   std::span<const std::byte> rest_;
 };
 
-template <class T>
-std::vector<std::byte> to_bytes(const T& thing) {
+template <class... T>
+std::vector<std::byte> to_bytes(const T&... things) {
   ByteWriter writer;
-  writer(thing);
+  writer(things...);
   return writer.take();
 }
 
-/// Throws Failure(bad_input) unless the bytes are exactly one such thing.
-template <class T>
-void from_bytes(std::span<const std::byte> bytes, T& thing) {
+/// Throws Failure(bad_input) unless the bytes are exactly these things, one after the other.
+template <class... T>
+void from_bytes(std::span<const std::byte> bytes, T&... things) {
   ByteReader reader(bytes);
-  reader(thing);
+  reader(things...);
   reader.end();
 }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "engine/base/parallel.hpp"
+#include "engine/math/four.hpp"
 
 namespace pulvis {
 namespace {
@@ -37,17 +38,8 @@ inline void kick_rotating_last(Parcel& p, const Load& load, const ForceField& fi
   p.spin = solve_turning(half_dt * field.spin, p.spin - half_dt * field.spin_rate);
 }
 
-/// Four numbers at a time; the fourth is not asked for.
-#pragma GCC diagnostic ignored "-Wpsabi"  // never passed to a function that is not inlined
-using Four = double __attribute__((vector_size(32)));
-inline Four four_at(const double* from) {
-  Four v;
-  __builtin_memcpy(&v, from, sizeof v);
-  return v;
-}
-
 /// Loads of all near pairs of parcel `i`, in the order of the partners' ids. Pairs that do not touch add zeros, which
-/// change no bit of a sum that began with +0.
+/// change no bit of a sum that began with +0. Three numbers are taken as four, whose last nobody asks for.
 inline Load sum_of_pairs(const NearPairs& pairs, std::size_t i) {
   static_assert(sizeof(PairLoad) == 9 * sizeof(double));
   constexpr double sign[2] = {1.0, -1.0};

@@ -6,6 +6,7 @@
 
 #include "engine/kernels/contact_block.hpp"
 #include "engine/laws/catalogue.hpp"
+#include "engine/math/four.hpp"
 #include "engine/parcels/domain.hpp"
 
 namespace pulvis::kernels {
@@ -22,16 +23,6 @@ PULVIS_INLINE void store(Lanes3& lanes, int k, const Vec3& value) {
 //
 // Records are read and written whole and turned into lanes by 4 x 4 transposes in registers: that moves numbers and
 // computes none, so it is the same on every processor.
-
-#pragma GCC diagnostic ignored "-Wpsabi"  // never passed to a function that is not inlined
-using Four = double __attribute__((vector_size(32)));
-
-PULVIS_INLINE Four four_at(const double* from) {
-  Four v;
-  __builtin_memcpy(&v, from, sizeof v);
-  return v;
-}
-PULVIS_INLINE void put_four(double* to, const Four& v) { __builtin_memcpy(to, &v, sizeof v); }
 
 PULVIS_INLINE void transpose(Four& a, Four& b, Four& c, Four& d) {
   const Four ab_even = __builtin_shufflevector(a, b, 0, 4, 2, 6),
@@ -95,12 +86,7 @@ static void gather(ContactBlock& b, const Parcel* parcels, const std::uint32_t* 
 
 static_assert(sizeof(PairLoad) == 9 * sizeof(double));
 
-static void scatter(const ContactBlock& b, PairLoad* load) {
-  const auto lane_wise = [&](int k) {
-    load[k] = {{b.force.x[k], b.force.y[k], b.force.z[k]},
-               {b.torque_first.x[k], b.torque_first.y[k], b.torque_first.z[k]},
-               {b.torque_second.x[k], b.torque_second.y[k], b.torque_second.z[k]}};
-  };
+static void scatter(const ContactBlock& b, PairLoad* result) {
   int k = 0;
   for (; k + 4 <= b.count; k += 4) {
     Quartet one{four_at(b.force.x + k), four_at(b.force.y + k), four_at(b.force.z + k),
@@ -111,13 +97,13 @@ static void scatter(const ContactBlock& b, PairLoad* load) {
     transpose(two.a, two.b, two.c, two.d);
     const Four ones[4] = {one.a, one.b, one.c, one.d}, twos[4] = {two.a, two.b, two.c, two.d};
     for (int j = 0; j < 4; ++j) {
-      double* to = reinterpret_cast<double*>(load + k + j);
+      double* to = reinterpret_cast<double*>(result + k + j);
       put_four(to, ones[j]);
       put_four(to + 4, twos[j]);
       to[8] = b.torque_second.z[k + j];
     }
   }
-  for (; k < b.count; ++k) lane_wise(k);
+  for (; k < b.count; ++k) result[k] = {load(b.force, k), load(b.torque_first, k), load(b.torque_second, k)};
 }
 
 static bool any_in_reach(const ContactBlock& b, double approach) {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-#include <string_view>
 #include <vector>
 
 #include "engine/laws/catalogue.hpp"
@@ -23,9 +22,9 @@ struct TimeLimit {
 ///   unloading            edinburgh: the hertz limit over sqrt(k_2/k_1); with the exponent 1 sqrt(m*/k_2)
 ///   liquid               m*/c, c the largest damping of a bridge
 ///   van der Waals        sqrt(m*/k), k the slope of the pull at the shortest gap
-inline std::vector<TimeLimit> time_limits(std::string_view normal, std::string_view cohesion,
-                                          const MaterialPair& pair, double m, double r, double speed,
-                                          double loading_exponent = 1.5) {
+inline std::vector<TimeLimit> time_limits(const Law& law, const MaterialPair& pair, const Choices& choices,
+                                          double m, double r, double speed) {
+  const auto normal = law.normal->name;
   const double e = pair.effective_modulus, w = pair.work_of_adhesion;
   const double hertz = hertz_contact_time(m, r, e, speed);
   std::vector<TimeLimit> limits{{"hertz", hertz}};
@@ -35,11 +34,11 @@ inline std::vector<TimeLimit> time_limits(std::string_view normal, std::string_v
     limits.push_back({"linear spring", root(m / (k * greatest(pair.plastic_ratio, 1.0)))});
   }
   if (normal == "edinburgh")
-    limits.push_back({"unloading", loading_exponent < 1.25 ? root(m / (2.0 * e * r * pair.unloading_ratio))
-                                                           : hertz / root(pair.unloading_ratio)});
-  if (pair.liquid_viscosity > 0.0 && pair.surface_tension > 0.0)
+    limits.push_back({"unloading", choices.linear_loading ? root(m / (2.0 * e * r * pair.unloading_ratio))
+                                                          : hertz / root(pair.unloading_ratio)});
+  if (law.cohesion->is_viscous && pair.liquid_viscosity > 0.0)
     limits.push_back({"liquid", m * pair.shortest_bridge_gap / (6.0 * pi * pair.liquid_viscosity * r)});
-  if (cohesion == "hamaker" && pair.hamaker_constant > 0.0)
+  if (law.cohesion->name == "hamaker")
     limits.push_back({"van der Waals", root(3.0 * m * pair.shortest_gap * square(pair.shortest_gap) /
                                             (pair.hamaker_constant * r))});
   if (normal == "jkr" && w > 0.0) {

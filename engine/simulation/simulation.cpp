@@ -217,15 +217,22 @@ void Simulation::fail_at(const char* what, const char* remedy, const Parcel& p) 
                   p.velocity.z, p.radius, remedy));
 }
 
+void Simulation::require_finite() const {
+  const auto finite = [](const Vec3& v) { return std::isfinite(dot(v, v)); };
+  const Parcel* bad = nullptr;
+  for (const Parcel& p : state_.parcels.body)
+    if (!(finite(p.position) && finite(p.velocity) && finite(p.spin)) && (!bad || p.id < bad->id)) bad = &p;
+  if (bad)
+    fail_at("position, velocity or spin is not a finite number",
+            "the time step may be too large (lower time.fraction) or a material constant out of range", *bad);
+}
+
 void Simulation::take_out_escaped(const StepNotice& notice) {
+  require_finite();
   std::vector<std::uint32_t> out;
   for (std::size_t i = 0; i < state_.parcels.size(); ++i) {
     const Parcel& p = state_.parcels.body[i];
     const Vec3 &x = p.position, &low = model_.domain.min, &high = model_.domain.max;
-    if (!(std::isfinite(dot(x, x)) && std::isfinite(dot(p.velocity, p.velocity)) &&
-          std::isfinite(dot(p.spin, p.spin))))
-      fail_at("position, velocity or spin is not a finite number",
-              "the time step may be too large (lower time.fraction) or a material constant out of range", p);
     if (notice.too_fast && dot(p.velocity, p.velocity) * square(model_.dt) > square(0.5 * p.radius))
       fail_at("a parcel moved more than half its radius in one time step",
               "lower time.fraction, or raise the modulus if parcels overlap deeply; see `pulvis check`", p);

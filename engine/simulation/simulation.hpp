@@ -33,6 +33,10 @@ class Simulation {
   /// where it appears.
   void set_absent(std::size_t body, bool absent);
 
+  /// Throws Failure(physics) naming the first parcel whose numbers are none. A step looks at what the one before it
+  /// made; this looks at what the last one made.
+  void require_finite() const;
+
   State snapshot() const;
   /// state_hash of the snapshot, without making one.
   std::string hash() const;
