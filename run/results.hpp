@@ -41,7 +41,7 @@ class Results {
           const WrittenResults& written = {});
 
   /// case.toml as read, run.json with every key and where its value came from.
-  void write_case(const std::vector<Override>& overrides);
+  void write_case();
   /// A line of log.csv.
   void log(const Simulation& simulation, const std::string& phase);
   /// Parcels, walls with what they bear, and (if given) porosity for ParaView.
