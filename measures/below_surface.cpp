@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "measures/below_surface.hpp"
 
-#include <stdexcept>
-
 namespace pulvis::measures {
 
 void find_pieces(const Box& box, const FreeSurface& surface, std::vector<Box>& pieces) {
@@ -31,14 +29,6 @@ std::vector<Sphere> spheres_in_die(std::span<const Sphere> spheres, const DieFra
     local.push_back({centre, frame.within_side_wall(centre) ? sphere.radius : 0.0});
   }
   return local;
-}
-
-void check_surface(const FreeSurface& surface, const DieFrame& frame) {
-  const Division &first = surface.along_first, &second = surface.along_second;
-  const bool fits = surface.heights.size() == first.count() * second.count() && !surface.heights.empty() &&
-                    first.edge(first.count()) == frame.size().x &&
-                    second.edge(second.count()) == frame.size().y;
-  if (!fits) throw std::invalid_argument("the free surface is that of another die");
 }
 
 }  // namespace pulvis::measures

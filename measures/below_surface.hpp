@@ -17,7 +17,4 @@ void find_pieces(const Box& box, const FreeSurface& surface, std::vector<Box>& p
 /// Spheres in coordinates of the die; those outside its side wall have radius 0 and so no solid.
 std::vector<Sphere> spheres_in_die(std::span<const Sphere> spheres, const DieFrame& frame);
 
-/// Throws std::invalid_argument if the surface has not the columns of this die.
-void check_surface(const FreeSurface& surface, const DieFrame& frame);
-
 }  // namespace pulvis::measures
