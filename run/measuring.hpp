@@ -7,9 +7,8 @@
 #include "case/case.hpp"
 #include "engine/simulation/simulation.hpp"
 #include "measures/container.hpp"
-#include "measures/energies.hpp"
-#include "measures/free_surface.hpp"
 #include "measures/porosity.hpp"
+#include "run/sight.hpp"
 
 namespace pulvis {
 
@@ -20,17 +19,6 @@ struct Measure {
   std::string unit;
   std::string window;  ///< what it is taken over: "at the end of the phase"
 };
-
-/// A state in the form the measures take: parcels in order of their ids.
-struct Sight {
-  std::vector<measures::Sphere> spheres;
-  std::vector<double> masses;
-  std::vector<measures::Body> bodies;
-  std::vector<std::uint32_t> index;          ///< place in the store
-  std::vector<measures::Contact> contacts;   ///< of parcels, stretched ones included
-  std::vector<std::uint32_t> wall_contacts;  ///< the sphere, once for each wall it touches
-};
-Sight look_at(const Simulation& simulation);
 
 /// Everything measured at one moment.
 struct Measurement {

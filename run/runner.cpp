@@ -115,7 +115,7 @@ void Runner::close_phase(const std::string& ended_by, bool run_ends) {
   }
   if (case_.output.picture) {
     const bool last_phase = simulation_.state().progress.phase + 1 == case_.phases.size();
-    results_.picture(simulation_, phase.name, last_phase || run_ends);
+    results_.pictures(simulation_, phase.name, last_phase || run_ends);
   }
 }
 

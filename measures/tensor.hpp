@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <array>
+
+#include "engine/math/vec3.hpp"
+
+namespace pulvis::measures {
+
+/// Nine numbers, e.g. a stress in Pa: rows[i][j].
+struct Tensor {
+  std::array<Vec3, 3> rows{};
+
+  Tensor& operator+=(const Tensor& b) {
+    for (std::size_t i = 0; i < 3; ++i) rows[i] += b.rows[i];
+    return *this;
+  }
+  friend Tensor operator+(Tensor a, const Tensor& b) { return a += b; }
+  friend Tensor operator*(double s, const Tensor& a) {
+    return {{s * a.rows[0], s * a.rows[1], s * a.rows[2]}};
+  }
+  friend bool operator==(const Tensor&, const Tensor&) = default;
+
+  double trace() const { return rows[0].x + rows[1].y + rows[2].z; }
+};
+
+/// a_i b_j.
+inline Tensor outer(const Vec3& a, const Vec3& b) { return {{a.x * b, a.y * b, a.z * b}}; }
+
+}  // namespace pulvis::measures
