@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <string_view>
 
+#include "apps/sweep_command.hpp"
 #include "apps/templates.hpp"
 #include "case/reader.hpp"
 #include "output/safe_file.hpp"
@@ -20,6 +21,7 @@ namespace {
 
 using pulvis::Exit;
 using pulvis::Failure;
+using pulvis::overrides_from;
 
 extern "C" void on_interrupt(int signal) {
   // The first Ctrl-C ends after this step with valid results; a second one ends at once.
@@ -28,17 +30,6 @@ extern "C" void on_interrupt(int signal) {
 }
 
 extern "C" void on_leave(int signal) { pulvis::ask_to_stop(signal); }
-
-std::vector<pulvis::Override> overrides_from(const std::vector<std::string>& settings) {
-  std::vector<pulvis::Override> list;
-  for (const std::string& s : settings) {
-    const auto equals = s.find('=');
-    if (equals == std::string::npos || equals == 0)
-      throw Failure(Exit::usage, fmt::format("--set {}: expected key.path=value", s));
-    list.push_back({s.substr(0, equals), s.substr(equals + 1)});
-  }
-  return list;
-}
 
 Exit check(const std::string& file, const std::vector<std::string>& settings) {
   const pulvis::Case c = pulvis::read_case(file, overrides_from(settings));
@@ -169,6 +160,8 @@ int main(int argc, char** argv) {
       app.add_subcommand("explain", "explain a key of the case file, e.g. powders.coarse_graining");
   explain->add_option("KEY", key, "a key or a table")->required();
 
+  pulvis::add_sweep_command(app);
+
   pulvis::validation::Request validation;
   validation.out = "validation-results";
   auto* validate = app.add_subcommand("validate", "compare the program with theory and published numbers");
@@ -206,6 +199,8 @@ int main(int argc, char** argv) {
       std::signal(SIGUSR1, on_leave);
       request.overrides = overrides_from(settings);
       result = pulvis::run_case(request);
+    } else if (const auto swept = pulvis::run_sweep_command(app)) {
+      result = *swept;
     } else if (*check_command) {
       result = check(file, settings);
     } else if (*law_command) {
