@@ -26,7 +26,7 @@ bool has_command(const CLI::App& app, const std::string& name) {
 
 void add_sweep_command(CLI::App& app) {
   auto* sweep = app.add_subcommand("sweep", "run cases with several values and seeds side by side");
-  sweep->add_option("CASE", "case files (TOML)")->required()->expected(1, -1);
+  sweep->add_option("CASE", "case files (TOML)")->required()->expected(1, -1)->allow_extra_args(true);
   sweep->add_option("--vary", "values of a key: --vary key.path=v1,v2,v3 (repeatable: all combinations)")
       ->expected(1)
       ->allow_extra_args(false)

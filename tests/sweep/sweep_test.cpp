@@ -54,6 +54,16 @@ TEST(Sweep, LeavesWhatEachRunWouldLeaveByItselfAndATableOfAll) {
   }
 }
 
+TEST(Sweep, TakesSeveralCasesInAnyPlaceAmongTheOptions) {
+  const Place place;
+  const std::string other = place.folder.file("other.toml", "extends = \"die.toml\"\nseed = 9\n");
+  const Outcome swept =
+      call({"sweep", "--threads", "1", place.file, other, "--vary", "seed=5,6", "--out", place.out});
+  ASSERT_EQ(swept.exit, 0) << swept.err;
+  for (const char* name : {"die-seed-5", "die-seed-6", "other-seed-5", "other-seed-6"})
+    EXPECT_TRUE(fs::exists(place.in(name))) << name;
+}
+
 TEST(Sweep, KeepsWhatIsCompleteWhenGivenAgainFromElsewhere) {
   const Place place;
   ASSERT_EQ(place.sweep({"--seeds", "2"}).exit, 0);
