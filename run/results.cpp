@@ -90,6 +90,7 @@ std::set<std::string> names_of(const WrittenResults& written) {
   std::set<std::string> names(written.files.begin(), written.files.end());
   names.insert({"case.toml", "run.json", "result.json", "log.csv"});
   if (written.wall_log > 0) names.insert("wall-forces.csv");
+  if (written.measures > 0) names.insert("measures.csv");
   const auto add = [&](const char* series, const std::vector<VtkSeries::Frame>& frames) {
     if (!frames.empty()) names.insert(series);
     for (const VtkSeries::Frame& frame : frames) names.insert(frame.file);
@@ -127,6 +128,7 @@ Results::Results(const Case& c, const TimeStep& time_step, const Walls& walls, c
       log_(written.log > 0 ? CsvLog::continued(folder.file("log.csv"), log_columns, written.log)
                            : CsvLog(folder.file("log.csv"), log_columns)),
       wall_results_(folder, walls, written.wall_log),
+      measure_results_(folder, written.measures),
       frames_(folder, written.frames) {
   folder.remove_results(result_files, names_of(written));
   // Given back before result.json is written, so that a full disk still has room for what went wrong.
@@ -136,6 +138,7 @@ Results::Results(const Case& c, const TimeStep& time_step, const Walls& walls, c
 WrittenResults Results::written() {
   written_.log = log_.sync();
   written_.wall_log = wall_results_.sync();
+  written_.measures = measure_results_.sync();
   written_.frames = frames_.written();
   return written_;
 }
