@@ -49,9 +49,12 @@ void fields(Archive& archive, VtkSeries::Frame& f) {
   archive(f.time, f.file);
 }
 template <class Archive>
+void fields(Archive& archive, WrittenFrames& f) {
+  archive(f.parcels, f.walls, f.porosity, f.count, f.last);
+}
+template <class Archive>
 void fields(Archive& archive, WrittenResults& r) {
-  archive(r.log, r.wall_log, r.parcels, r.walls, r.porosity, r.files, r.frames, r.last_frame,
-          r.largest_overlap);
+  archive(r.log, r.wall_log, r.measures, r.frames, r.files, r.largest_overlap);
 }
 
 }  // namespace pulvis

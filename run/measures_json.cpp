@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "run/measures_json.hpp"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace pulvis {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using measures::Tensor;
+
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(); }
+Json number(const std::optional<double>& value) { return value ? number(*value) : Json(); }
+Json number(std::size_t value) { return value; }
+Json number(const Vec3& v) { return Json{number(v.x), number(v.y), number(v.z)}; }
+Json number(const Tensor& t) { return Json{number(t.rows[0]), number(t.rows[1]), number(t.rows[2])}; }
+
+template <class Value>
+Json list(const std::vector<Value>& values) {
+  Json json = Json::array();
+  for (const Value& value : values) json.push_back(number(value));
+  return json;
+}
+
+/// In coordinates of the die: the frame's axes are unit vectors.
+Vec3 seen_from(const measures::DieFrame& frame, const Vec3& v) {
+  return {dot(frame.axes()[0], v), dot(frame.axes()[1], v), dot(frame.axes()[2], v)};
+}
+
+Tensor seen_from(const measures::DieFrame& frame, const Tensor& t) {
+  Tensor columns_turned, whole;
+  for (std::size_t i = 0; i < 3; ++i) columns_turned.rows[i] = seen_from(frame, t.rows[i]);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3& axis = frame.axes()[i];
+    whole.rows[i] =
+        axis.x * columns_turned.rows[0] + axis.y * columns_turned.rows[1] + axis.z * columns_turned.rows[2];
+  }
+  return whole;
+}
+
+template <class Value>
+std::vector<Value> seen_from(const measures::DieFrame& frame, const std::vector<Value>& values) {
+  std::vector<Value> seen;
+  for (const Value& value : values) seen.push_back(seen_from(frame, value));
+  return seen;
+}
+
+Json die_json(const measures::Container& die, const measures::DieFrame& frame) {
+  return {{"shape", die.shape == measures::Container::Shape::box ? "box" : "cylinder"},
+          {"size_m", number(frame.size())},
+          {"volume_m3", measures::volume(die)}};
+}
+
+Json porosity_json(const measures::PorosityField& field) {
+  return {{"cells", {field.cells[0], field.cells[1], field.cells[2]}},
+          {"spacing_m", number(field.spacing)},
+          {"values", list(field.values)},
+          {"volume_m3", list(field.counted_volume)}};
+}
+
+Json profiles_json(const std::array<measures::PorosityProfile, 3>& profiles) {
+  constexpr const char* names[3] = {"first", "second", "third"};
+  Json json = Json::array();
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    json.push_back({{"axis", names[axis]},
+                    {"position_m", list(profiles[axis].position)},
+                    {"porosity", list(profiles[axis].porosity)},
+                    {"volume_m3", list(profiles[axis].volume)}});
+  return json;
+}
+
+Json parts_json(const std::vector<PartSurvey>& parts) {
+  Json json = Json::array();
+  for (const PartSurvey& p : parts)
+    json.push_back({{"name", p.part.name},
+                    {"min_m", number(p.part.box.min)},
+                    {"max_m", number(p.part.box.max)},
+                    {"porosity", number(p.porosity.porosity)},
+                    {"porosity_std", number(p.porosity.standard_deviation)},
+                    {"volume_m3", number(p.porosity.volume)},
+                    {"mass_kg", number(p.porosity.mass)},
+                    {"apparent_density_kg_m3", number(p.porosity.density)},
+                    {"coordination", number(p.coordination)}});
+  return json;
+}
+
+Json surface_json(const measures::FreeSurface& s) {
+  return {{"columns", {s.along_first.count(), s.along_second.count()}},
+          {"spacing_m", {s.along_first.part(), s.along_second.part()}},
+          {"heights_m", list(s.heights)},
+          {"areas_m2", list(s.areas)},
+          {"mean_m", s.mean},
+          {"roughness_m", s.roughness},
+          {"slope_first", s.slope_first},
+          {"slope_second", s.slope_second},
+          {"tilt_rad", s.tilt}};
+}
+
+Json forces_json(const measures::ContactForces& f) {
+  return {{"mean_N", number(f.mean)},
+          {"edges", list(f.edges)},
+          {"density", list(f.density)},
+          {"pulling_share", number(f.pulling_share)}};
+}
+
+Json stress_json(const measures::Stress& s, const measures::DieFrame& frame) {
+  return {{"tensor_Pa", number(seen_from(frame, s.total()))},
+          {"pressure_Pa", s.pressure()},
+          {"kinetic_pressure_Pa", s.kinetic_pressure()}};
+}
+
+Json layers_json(const measures::Layers& l, const measures::DieFrame& frame) {
+  std::vector<Tensor> stress = l.contact_stress;
+  for (std::size_t k = 0; k < stress.size(); ++k) stress[k] += l.kinetic_stress[k];
+  return {{"height_m", list(l.position)},
+          {"density_kg_m3", list(l.density)},
+          {"velocity_m_s", list(seen_from(frame, l.velocity))},
+          {"speed_rms_m_s", list(l.speed_rms)},
+          {"granular_temperature_m2_s2", list(l.temperature)},
+          {"stress_Pa", list(seen_from(frame, stress))},
+          {"mean_diameter_m", list(l.mean_diameter)},
+          {"coordination", list(l.coordination)}};
+}
+
+}  // namespace
+
+Json scalars_json(const std::vector<Measure>& measures) {
+  Json json = Json::object();
+  for (const Measure& m : measures)
+    json[m.name] = {{"value", m.value ? Json(*m.value) : Json()}, {"unit", m.unit}, {"window", m.window}};
+  return json;
+}
+
+Json measures_json(double time, const std::string& phase, const std::vector<Measure>& measures,
+                   const std::optional<DieSurvey>& die) {
+  Json json = {{"format", "pulvis measures"}, {"version", 1}, {"phase", phase}, {"time_s", time}};
+  json["scalars"] = scalars_json(measures);
+  if (!die) return json;
+  const measures::DieFrame frame(die->container);
+  json["die"] = die_json(die->container, frame);
+  json["porosity"] = porosity_json(die->porosity);
+  json["porosity_profiles"] = profiles_json(die->profiles);
+  json["porosity_histogram"] = {{"edges", list(die->histogram.edges)}, {"share", list(die->histogram.share)}};
+  json["parts"] = parts_json(die->parts);
+  json["surface"] = surface_json(die->surface);
+  json["coordination"] = {{"count", list(die->coordination.histogram)}};
+  json["contact_forces"] = forces_json(die->forces);
+  if (die->stress) json["stress"] = stress_json(*die->stress, frame);
+  json["layers"] = layers_json(die->layers, frame);
+  return json;
+}
+
+}  // namespace pulvis
