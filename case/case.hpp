@@ -198,10 +198,22 @@ struct OutputChoice {
   bool picture = true;
 };
 
+/// A key of a case with its value and where that comes from.
+struct ResolvedKey {
+  std::string key;      ///< "materials.steel.density"
+  std::string value;    ///< as written in TOML
+  std::string meaning;  ///< the same however it was written: numbers in SI units, all their digits
+  std::string origin;   ///< "die.toml:14", "default" or "--set materials.steel.density"
+};
+
 struct Case {
   std::string title;
-  std::string file;  ///< as given
-  std::string text;  ///< the file's text, for the run folder
+  std::string file;                ///< as given
+  std::vector<std::string> bases;  ///< the files it extends, the nearest first
+  /// For the run folder: the file's text; of a case that extends another, all its files put together, with paths
+  /// made absolute.
+  std::string text;
+  std::vector<ResolvedKey> keys;  ///< every key that has a value, overrides and defaults too
   /// Where each table and key that was given is written: {"walls.die", "die.toml:14"} or {"time.step",
   /// "--set time.step"}; see place_of in reader.hpp.
   std::vector<std::pair<std::string, std::string>> origins;

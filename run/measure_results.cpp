@@ -43,11 +43,11 @@ void MeasureResults::log(double time, const std::string& phase, const std::vecto
 std::uint64_t MeasureResults::sync() { return log_ ? log_->sync() : length_; }
 
 std::string MeasureResults::write_phase(double time, const std::string& phase,
-                                        const std::vector<Measure>& list,
-                                        const std::optional<DieSurvey>& die) {
+                                        const std::vector<Measure>& list, const std::optional<DieSurvey>& die,
+                                        const std::vector<FlowSince>& flow) {
   folder_.folder("measures");
   const std::string name = "measures/after-" + phase + ".json";
-  write_json(folder_.file(name), measures_json(time, phase, list, die));
+  write_json(folder_.file(name), measures_json(time, phase, list, die, flow));
   return name;
 }
 

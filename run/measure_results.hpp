@@ -5,6 +5,7 @@
 
 #include "output/csv.hpp"
 #include "output/run_folder.hpp"
+#include "run/flow_meters.hpp"
 #include "run/measuring.hpp"
 
 namespace pulvis {
@@ -22,7 +23,7 @@ class MeasureResults {
   std::uint64_t sync();
   /// Returns the name of the file in the folder.
   std::string write_phase(double time, const std::string& phase, const std::vector<Measure>& list,
-                          const std::optional<DieSurvey>& die);
+                          const std::optional<DieSurvey>& die, const std::vector<FlowSince>& flow);
 
  private:
   const RunFolder& folder_;

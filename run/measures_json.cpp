@@ -110,6 +110,13 @@ Json stress_json(const measures::Stress& s, const measures::DieFrame& frame) {
           {"kinetic_pressure_Pa", s.kinetic_pressure()}};
 }
 
+Json flow_json(const std::vector<FlowSince>& flow) {
+  Json json = Json::array();
+  for (const FlowSince& f : flow)
+    json.push_back({{"surface", f.surface}, {"mass_kg", f.mass}, {"count", f.count}, {"rate_kg_s", f.rate}});
+  return json;
+}
+
 Json layers_json(const measures::Layers& l, const measures::DieFrame& frame) {
   std::vector<Tensor> stress = l.contact_stress;
   for (std::size_t k = 0; k < stress.size(); ++k) stress[k] += l.kinetic_stress[k];
@@ -133,9 +140,10 @@ Json scalars_json(const std::vector<Measure>& measures) {
 }
 
 Json measures_json(double time, const std::string& phase, const std::vector<Measure>& measures,
-                   const std::optional<DieSurvey>& die) {
+                   const std::optional<DieSurvey>& die, const std::vector<FlowSince>& flow) {
   Json json = {{"format", "pulvis measures"}, {"version", 1}, {"phase", phase}, {"time_s", time}};
   json["scalars"] = scalars_json(measures);
+  if (!flow.empty()) json["flow"] = flow_json(flow);
   if (!die) return json;
   const measures::DieFrame frame(die->container);
   json["die"] = die_json(die->container, frame);
@@ -148,6 +156,9 @@ Json measures_json(double time, const std::string& phase, const std::vector<Meas
   json["contact_forces"] = forces_json(die->forces);
   if (die->stress) json["stress"] = stress_json(*die->stress, frame);
   json["layers"] = layers_json(die->layers, frame);
+  json["segregation"] = {{"mean_diameter_m", number(die->segregation.mean_diameter)},
+                         {"index", number(die->segregation.index)},
+                         {"intensity", number(die->segregation.intensity)}};
   return json;
 }
 

@@ -83,6 +83,8 @@ DieSurvey survey_die(const Case& c, const Simulation& simulation, const DieSight
   die.stress = stress_in(sight, die);
   die.layers = measures::layers(sight.particles, sight.forces.pairs, sight.forces.walls, sight.container, 2,
                                 measures::layer_diameters * mean_parcel_diameter(c));
+  die.segregation = measures::segregation(seen.spheres, seen.masses, sight.container,
+                                          measures::segregation_cell_diameters * mean_parcel_diameter(c));
   return die;
 }
 
@@ -108,6 +110,8 @@ std::vector<Measure> measures_of(const Simulation& simulation, const std::option
     add("free_surface_roughness", die->surface.roughness, "m");
     add("free_surface_tilt", die->surface.tilt, "rad");
     add("contact_force_mean", die->forces.mean, "N");
+    add("segregation_index", die->segregation.index, "1");
+    add("segregation_intensity", die->segregation.intensity, "1");
     add("pressure_mean", die->stress ? std::optional(die->stress->pressure()) : std::nullopt, "Pa");
   }
   const auto energies = measures::energies(look_at(simulation).bodies, simulation.field().gravity);

@@ -13,6 +13,7 @@
 #include "measures/fill.hpp"
 #include "measures/layers.hpp"
 #include "measures/porosity_parts.hpp"
+#include "measures/segregation.hpp"
 #include "run/sight.hpp"
 
 namespace pulvis {
@@ -65,6 +66,7 @@ struct DieSurvey {
   measures::ContactForces forces;
   std::optional<measures::Stress> stress;  ///< none in an empty die
   measures::Layers layers;
+  measures::Segregation segregation;
 };
 DieSurvey survey_die(const Case& c, const Simulation& simulation, const DieSight& sight);
 

@@ -67,6 +67,7 @@ const std::string& free_of_inputs(const Case& c, const std::string& folder) {
                                 what, file, folder));
   };
   refuse_if_there("case", c.file);
+  for (const std::string& base : c.bases) refuse_if_there("case", base);
   for (const Source& source : c.sources)
     if (source.kind == Source::Kind::file) refuse_if_there("bed", source.path);
   return folder;
@@ -143,16 +144,16 @@ WrittenResults Results::written() {
   return written_;
 }
 
-void Results::write_case(const std::vector<Override>& overrides) {
+void Results::write_case() {
   write_file_safely(folder_.file("case.toml"), case_.text);
   Json keys = Json::object();
-  for (const auto& key : resolved(case_.text, case_.file, overrides))
-    keys[key.key] = {{"value", key.value}, {"origin", key.origin}};
+  for (const ResolvedKey& key : case_.keys) keys[key.key] = {{"value", key.value}, {"origin", key.origin}};
   Json limits = Json::array();
   for (const StepLimit& l : time_step_.limits)
     limits.push_back({{"kind", l.kind}, {"of", l.of}, {"time_s", l.time}});
   write_json(folder_.file("run.json"), {{"version", PULVIS_VERSION},
                                         {"case", case_.file},
+                                        {"extends", case_.bases},
                                         {"title", case_.title},
                                         {"time_step_s", time_step_.step},
                                         {"time_step_limits", limits},

@@ -39,7 +39,7 @@ class Results {
           const WrittenResults& written = {});
 
   /// case.toml as read, run.json with every key and where its value came from.
-  void write_case(const std::vector<Override>& overrides);
+  void write_case();
   /// A line of log.csv.
   void log(const Simulation& simulation, const std::string& phase);
   /// Parcels, walls with what they bear, and (if given) porosity for ParaView.
@@ -57,8 +57,8 @@ class Results {
   }
   /// Everything measured at the end of a phase.
   void write_measures(double time, const std::string& phase, const std::vector<Measure>& list,
-                      const std::optional<DieSurvey>& die) {
-    written_.files.push_back(measure_results_.write_phase(time, phase, list, die));
+                      const std::optional<DieSurvey>& die, const std::vector<FlowSince>& flow) {
+    written_.files.push_back(measure_results_.write_phase(time, phase, list, die, flow));
   }
   void write_pressures(const WallLoads& loads, const Simulation& simulation, const std::string& phase) {
     written_.files.push_back(wall_results_.write_pressures(loads, simulation, phase));

@@ -60,12 +60,15 @@ Runner::Runner(const Case& c, Model&& model, Checkpoint start, Results& results,
       procedure_(c, simulation_),
       progress_(ProgressOptions::for_stderr()),
       loads_(c, simulation_, hundredth_of_longest_phase(c)),
+      flows_(c, simulation_),
       frame_every_(every(c.output.interval)),
       log_every_(every(or_default(c.output.log_interval, c))),
       measure_every_(every(or_default(c.measures.interval, c))),
       saved_(seconds_now()),
       booked_(saved_) {
-  if (checkpoint_.summary.resumes > 0) loads_.go_on_from(std::move(checkpoint_.loads));
+  if (checkpoint_.summary.resumes == 0) return;
+  loads_.go_on_from(std::move(checkpoint_.loads));
+  flows_.go_on_from(std::move(checkpoint_.flows));
 }
 
 std::uint64_t Runner::every(double interval) const {
@@ -104,12 +107,18 @@ std::vector<Measure> Runner::all_measures(const std::optional<DieSurvey>& die) c
   return list;
 }
 
+void Runner::log_measures(const std::string& phase, std::vector<Measure> list) {
+  for (const FlowSince& flow : flows_.since_last_line(simulation_))
+    list.push_back({"flow_" + flow.surface, flow.rate, "kg/s", "since the line before"});
+  results_.log_measures(simulation_.time(), phase, list);
+}
+
 void Runner::look(bool phase_ends, const std::string& phase) {
   const std::uint64_t step = simulation_.state().step;
   if (phase_ends || (log_every_ && step % log_every_ == 0)) results_.log(simulation_, phase);
   if (phase_ends) return;
   if (measure_every_ && step % measure_every_ == 0)
-    results_.log_measures(simulation_.time(), phase, all_measures(survey(case_, simulation_)));
+    log_measures(phase, all_measures(survey(case_, simulation_)));
   if (frame_every_ && step % frame_every_ == 0)
     results_.frame(simulation_, loads_, porosity_of_die(case_, simulation_));
 }
@@ -121,8 +130,8 @@ void Runner::close_phase(const std::string& ended_by, bool run_ends) {
   const double time = simulation_.time();
   summary().phases.push_back(
       {phase.name, procedure_.phase_start(), time, ended_by, list, wall_forces(loads_, simulation_)});
-  results_.log_measures(time, phase.name, list);
-  results_.write_measures(time, phase.name, list, die);
+  log_measures(phase.name, list);
+  results_.write_measures(time, phase.name, list, die, flows_.in_phase(simulation_));
   results_.frame(simulation_, loads_, die ? std::optional(die->porosity) : std::nullopt);
   results_.write_pressures(loads_, simulation_, phase.name);
   for (const std::size_t s : phase.sources) {
@@ -152,16 +161,19 @@ void Runner::save() {
   checkpoint_.time_step = simulation_.model().dt;
   checkpoint_.state = simulation_.snapshot();
   checkpoint_.loads = loads_.record();
+  checkpoint_.flows = flows_.record();
   checkpoint_.results = results_.written();
   checkpoints_.write(checkpoint_);
   checkpoint_.state = {};
   checkpoint_.loads = {};
+  checkpoint_.flows = {};
   book(summary().looking_time);
   saved_ = booked_;
 }
 
 void Runner::begin() {
   loads_.begin_phase(procedure_.phase(), simulation_);
+  flows_.begin_phase(simulation_);
   results_.log(simulation_, procedure_.phase().name);
   results_.frame(simulation_, loads_, {});
   save();
@@ -170,6 +182,7 @@ void Runner::begin() {
 void Runner::step() {
   simulation_.step();
   if (loads_.after_step(simulation_)) results_.log_walls(loads_, simulation_, procedure_.phase().name);
+  flows_.after_step(simulation_);
   summary().particle_steps += simulation_.state().parcels.size();
   check_escapes();
 }
@@ -177,7 +190,10 @@ void Runner::step() {
 void Runner::end_phase(const std::string& ended_by) {
   close_phase(ended_by, false);
   procedure_.next_phase();
-  if (!procedure_.finished()) loads_.begin_phase(procedure_.phase(), simulation_);
+  if (!procedure_.finished()) {
+    loads_.begin_phase(procedure_.phase(), simulation_);
+    flows_.begin_phase(simulation_);
+  }
   save();
 }
 

@@ -39,6 +39,7 @@ class Runner {
   void end_phase(const std::string& ended_by);
   void look(bool phase_ends, const std::string& phase);
   std::vector<Measure> all_measures(const std::optional<DieSurvey>& die) const;
+  void log_measures(const std::string& phase, std::vector<Measure> list);
   void close_phase(const std::string& ended_by, bool run_ends);
   bool stops(double latest);
   void save();
@@ -55,6 +56,7 @@ class Runner {
   Procedure procedure_;
   Progress progress_;
   WallLoads loads_;
+  FlowMeters flows_;
   std::uint64_t frame_every_, log_every_, measure_every_;
   double saved_, booked_;  ///< s on the clock: last saved; all time up to here is accounted for
 };
