@@ -62,7 +62,7 @@ void fields(Archive& archive, VtkSeries::Frame& f) {
 }
 template <class Archive>
 void fields(Archive& archive, WrittenFrames& f) {
-  archive(f.parcels, f.walls, f.porosity, f.count, f.last);
+  archive(f.parcels, f.walls, f.porosity, f.fields, f.count, f.last);
 }
 template <class Archive>
 void fields(Archive& archive, WrittenResults& r) {

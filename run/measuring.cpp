@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "run/measuring.hpp"
 
+#include "measures/continuum.hpp"
 #include "measures/periodic_images.hpp"
 #include "run/species.hpp"
 
@@ -59,6 +60,8 @@ std::optional<measures::Stress> stress_in(const DieSight& sight, const DieSurvey
 }
 
 }  // namespace
+
+double field_support(const Case& c) { return measures::support_diameters * mean_parcel_diameter(c); }
 
 std::optional<measures::PorosityField> porosity_of_die(const Case& c, const Simulation& simulation) {
   const auto sight = look_into_die(c, simulation);

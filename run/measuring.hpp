@@ -37,6 +37,9 @@ struct DieSight {
   ForceSight forces;
   std::vector<measures::Particle> particles;  ///< velocities are those against the die
 };
+/// Support of the kernel that continuum fields are smoothed with, m.
+double field_support(const Case& c);
+
 /// None if the case measures no die.
 std::optional<DieSight> look_into_die(const Case& c, const Simulation& simulation);
 

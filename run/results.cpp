@@ -45,9 +45,11 @@ const std::vector<std::string> result_files = {"case.toml",
                                                "parcels.pvd",
                                                "walls.pvd",
                                                "porosity.pvd",
+                                               "fields.pvd",
                                                "frames/parcels-*.vtp",
                                                "frames/walls-*.vtp",
-                                               "frames/porosity-*.vti"};
+                                               "frames/porosity-*.vti",
+                                               "frames/fields-*.vti"};
 
 std::filesystem::path real_path(const std::filesystem::path& path) {
   std::error_code ignored;
@@ -99,6 +101,7 @@ std::set<std::string> names_of(const WrittenResults& written) {
   add("parcels.pvd", written.frames.parcels);
   add("walls.pvd", written.frames.walls);
   add("porosity.pvd", written.frames.porosity);
+  add("fields.pvd", written.frames.fields);
   return names;
 }
 

@@ -47,6 +47,10 @@ class Results {
              const std::optional<measures::PorosityField>& porosity) {
     frames_.add(simulation, loads, porosity);
   }
+  /// Continuum fields of the die for ParaView.
+  void fields(double time, const DieSight& sight, const measures::PorosityField& grid, double support) {
+    frames_.add_fields(time, sight, grid, support);
+  }
   /// A line of wall-forces.csv.
   void log_walls(const WallLoads& loads, const Simulation& simulation, const std::string& phase) {
     wall_results_.log(loads, simulation, phase);

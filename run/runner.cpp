@@ -125,7 +125,8 @@ void Runner::look(bool phase_ends, const std::string& phase) {
 
 void Runner::close_phase(const std::string& ended_by, bool run_ends) {
   const Phase& phase = procedure_.phase();
-  const std::optional<DieSurvey> die = survey(case_, simulation_);
+  const std::optional<DieSight> sight = look_into_die(case_, simulation_);
+  const auto die = sight ? std::optional(survey_die(case_, simulation_, *sight)) : std::nullopt;
   const std::vector<Measure> list = all_measures(die);
   const double time = simulation_.time();
   summary().phases.push_back(
@@ -133,6 +134,7 @@ void Runner::close_phase(const std::string& ended_by, bool run_ends) {
   log_measures(phase.name, list);
   results_.write_measures(time, phase.name, list, die, flows_.in_phase(simulation_));
   results_.frame(simulation_, loads_, die ? std::optional(die->porosity) : std::nullopt);
+  if (sight) results_.fields(time, *sight, die->porosity, field_support(case_));
   results_.write_pressures(loads_, simulation_, phase.name);
   for (const std::size_t s : phase.sources) {
     const SourceState& source = simulation_.state().sources[s];
