@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <string_view>
 
+#include "apps/report_command.hpp"
 #include "apps/templates.hpp"
 #include "case/reader.hpp"
 #include "output/safe_file.hpp"
@@ -169,6 +170,8 @@ int main(int argc, char** argv) {
       app.add_subcommand("explain", "explain a key of the case file, e.g. powders.coarse_graining");
   explain->add_option("KEY", key, "a key or a table")->required();
 
+  pulvis::add_report_commands(app);
+
   pulvis::validation::Request validation;
   validation.out = "validation-results";
   auto* validate = app.add_subcommand("validate", "compare the program with theory and published numbers");
@@ -206,6 +209,8 @@ int main(int argc, char** argv) {
       std::signal(SIGUSR1, on_leave);
       request.overrides = overrides_from(settings);
       result = pulvis::run_case(request);
+    } else if (const auto reported = pulvis::run_report_command(app)) {
+      result = *reported;
     } else if (*check_command) {
       result = check(file, settings);
     } else if (*law_command) {
