@@ -23,26 +23,11 @@ Json list(const std::vector<Value>& values) {
   return json;
 }
 
-/// In coordinates of the die: the frame's axes are unit vectors.
-Vec3 seen_from(const measures::DieFrame& frame, const Vec3& v) {
-  return {dot(frame.axes()[0], v), dot(frame.axes()[1], v), dot(frame.axes()[2], v)};
-}
-
-Tensor seen_from(const measures::DieFrame& frame, const Tensor& t) {
-  Tensor columns_turned, whole;
-  for (std::size_t i = 0; i < 3; ++i) columns_turned.rows[i] = seen_from(frame, t.rows[i]);
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Vec3& axis = frame.axes()[i];
-    whole.rows[i] =
-        axis.x * columns_turned.rows[0] + axis.y * columns_turned.rows[1] + axis.z * columns_turned.rows[2];
-  }
-  return whole;
-}
-
-template <class Value>
-std::vector<Value> seen_from(const measures::DieFrame& frame, const std::vector<Value>& values) {
-  std::vector<Value> seen;
-  for (const Value& value : values) seen.push_back(seen_from(frame, value));
+/// In coordinates of the die.
+std::vector<Vec3> seen_from(const measures::DieFrame& frame, const std::vector<Vec3>& vectors) {
+  std::vector<Vec3> seen;
+  for (const Vec3& v : vectors)
+    seen.push_back({dot(frame.axes()[0], v), dot(frame.axes()[1], v), dot(frame.axes()[2], v)});
   return seen;
 }
 
@@ -105,7 +90,7 @@ Json forces_json(const measures::ContactForces& f) {
 }
 
 Json stress_json(const measures::Stress& s, const measures::DieFrame& frame) {
-  return {{"tensor_Pa", number(seen_from(frame, s.total()))},
+  return {{"tensor_Pa", number(measures::along_axes(s.total(), frame.axes()))},
           {"pressure_Pa", s.pressure()},
           {"kinetic_pressure_Pa", s.kinetic_pressure()}};
 }
@@ -118,14 +103,15 @@ Json flow_json(const std::vector<FlowSince>& flow) {
 }
 
 Json layers_json(const measures::Layers& l, const measures::DieFrame& frame) {
-  std::vector<Tensor> stress = l.contact_stress;
-  for (std::size_t k = 0; k < stress.size(); ++k) stress[k] += l.kinetic_stress[k];
+  std::vector<Tensor> stress;
+  for (std::size_t k = 0; k < l.contact_stress.size(); ++k)
+    stress.push_back(measures::along_axes(l.contact_stress[k] + l.kinetic_stress[k], frame.axes()));
   return {{"height_m", list(l.position)},
           {"density_kg_m3", list(l.density)},
           {"velocity_m_s", list(seen_from(frame, l.velocity))},
           {"speed_rms_m_s", list(l.speed_rms)},
           {"granular_temperature_m2_s2", list(l.temperature)},
-          {"stress_Pa", list(seen_from(frame, stress))},
+          {"stress_Pa", list(stress)},
           {"mean_diameter_m", list(l.mean_diameter)},
           {"coordination", list(l.coordination)}};
 }
@@ -149,11 +135,13 @@ Json measures_json(double time, const std::string& phase, const std::vector<Meas
   json["die"] = die_json(die->container, frame);
   json["porosity"] = porosity_json(die->porosity);
   json["porosity_profiles"] = profiles_json(die->profiles);
-  json["porosity_histogram"] = {{"edges", list(die->histogram.edges)}, {"share", list(die->histogram.share)}};
+  if (!die->histogram.share.empty())
+    json["porosity_histogram"] = {{"edges", list(die->histogram.edges)},
+                                  {"share", list(die->histogram.share)}};
   json["parts"] = parts_json(die->parts);
   json["surface"] = surface_json(die->surface);
   json["coordination"] = {{"count", list(die->coordination.histogram)}};
-  json["contact_forces"] = forces_json(die->forces);
+  if (die->forces.mean) json["contact_forces"] = forces_json(die->forces);
   if (die->stress) json["stress"] = stress_json(*die->stress, frame);
   json["layers"] = layers_json(die->layers, frame);
   json["segregation"] = {{"mean_diameter_m", number(die->segregation.mean_diameter)},
