@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <string_view>
 
+#include "apps/report_command.hpp"
 #include "apps/sweep_command.hpp"
 #include "apps/templates.hpp"
 #include "case/reader.hpp"
@@ -160,6 +161,7 @@ int main(int argc, char** argv) {
       app.add_subcommand("explain", "explain a key of the case file, e.g. powders.coarse_graining");
   explain->add_option("KEY", key, "a key or a table")->required();
 
+  pulvis::add_report_commands(app);
   pulvis::add_sweep_command(app);
 
   pulvis::validation::Request validation;
@@ -199,6 +201,8 @@ int main(int argc, char** argv) {
       std::signal(SIGUSR1, on_leave);
       request.overrides = overrides_from(settings);
       result = pulvis::run_case(request);
+    } else if (const auto reported = pulvis::run_report_command(app)) {
+      result = *reported;
     } else if (const auto swept = pulvis::run_sweep_command(app)) {
       result = *swept;
     } else if (*check_command) {

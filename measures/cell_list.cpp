@@ -13,7 +13,7 @@ CellList::CellList(const DieFrame& frame, double cell_edge)
   std::size_t count = 1;
   for (const Division& division : along_) {
     count *= division.count();  // at most 1e6 each and checked in between: no overflow
-    if (count > most_cells) throw Failure(Exit::bad_case, "the porosity grid would have too many cells");
+    if (count > most_cells) throw Failure(Exit::bad_case, "the grid of cells would have too many cells");
   }
   begin_.assign(count + 1, 0);
 }

@@ -28,6 +28,12 @@ class CellList {
   }
   Box box(std::size_t cell) const;
 
+  /// The cell a place lies in; places outside belong to the nearest.
+  std::size_t at(const Vec3& local) const {
+    return along_[0].at(local.x) +
+           along_[0].count() * (along_[1].at(local.y) + along_[1].count() * along_[2].at(local.z));
+  }
+
  private:
   template <class Visitor>
   void visit(const Sphere& sphere, const Visitor& visitor) const;

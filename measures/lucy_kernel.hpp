@@ -6,7 +6,8 @@ namespace pulvis::measures {
 
 /// Lucy's polynomial, a smooth weight of integral 1 over space that ends at the distance c:
 ///   W(r) = 105/(16 pi c^3) (1 + 3 r/c) (1 - r/c)^3  for r < c, else 0;  1/m^3.
-/// Twice continuously differentiable. L. B. Lucy, The Astronomical Journal 82 (1977) 1013-1024.
+/// Twice continuously differentiable. L. B. Lucy, The Astronomical Journal 82 (1977) 1013-1024,
+/// doi:10.1086/112164.
 class LucyKernel {
  public:
   /// `support`: c, m. Throws std::invalid_argument unless it is above zero.

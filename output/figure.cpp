@@ -2,133 +2,124 @@
 #include "output/figure.hpp"
 
 #include <fmt/format.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
-#include <array>
-#include <cmath>
-#include <cstdio>
+#include <algorithm>
 #include <filesystem>
-#include <memory>
 
-#include "engine/base/failure.hpp"
 #include "output/safe_file.hpp"
 
 namespace pulvis {
 namespace {
 
-// The palette of M. Okabe and K. Ito (2008), black first.
-constexpr std::array colours{"#000000", "#0072b2", "#d55e00", "#009e73",
-                             "#cc79a7", "#e69f00", "#56b4e9", "#b0a000"};
+using gnuplot::quoted;
 
-/// A nameless file that is gone when it is closed.
-using Scratch = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
-Scratch scratch_file() {
-  Scratch file(std::tmpfile(), &std::fclose);
-  if (!file) throw Failure(Exit::io, "cannot make a temporary file; is the disk full?");
-  return file;
+std::string range_text(const char* axis, const std::optional<Range>& range) {
+  return range ? fmt::format("set {}range [{}:{}]\n", axis, range->low, range->high)
+               : fmt::format("set {}range [*:*]\n", axis);
 }
 
-std::string text_of(std::FILE* file) {
-  std::string text;
-  std::array<char, 4096> part{};
-  std::rewind(file);
-  while (const std::size_t got = std::fread(part.data(), 1, part.size(), file)) text.append(part.data(), got);
-  return text;
+std::string style_of(const Curve& curve, std::size_t k) {
+  const char* colour = gnuplot::colour(k);
+  if (curve.points) return fmt::format("with points pt {} ps 0.7 lc rgb '{}'", 4 + k % 10, colour);
+  return fmt::format("with {} lw 1.8 dt {} lc rgb '{}'", curve.steps ? "steps" : "lines", 1 + k / 8, colour);
 }
 
-struct Finished {
-  bool started = false;
-  int status = -1;
-  std::string out, err;
-};
-
-/// gnuplot with a script as its standard input.
-Finished gnuplot(const std::string& script) {
-  const Scratch in = scratch_file(), out = scratch_file(), err = scratch_file();
-  if (std::fwrite(script.data(), 1, script.size(), in.get()) != script.size() || std::fflush(in.get()) != 0)
-    throw Failure(Exit::io, "cannot write a temporary file; is the disk full?");
-  std::rewind(in.get());
-  posix_spawn_file_actions_t streams;
-  ::posix_spawn_file_actions_init(&streams);
-  ::posix_spawn_file_actions_adddup2(&streams, ::fileno(in.get()), STDIN_FILENO);
-  ::posix_spawn_file_actions_adddup2(&streams, ::fileno(out.get()), STDOUT_FILENO);
-  ::posix_spawn_file_actions_adddup2(&streams, ::fileno(err.get()), STDERR_FILENO);
-  std::string name = "gnuplot", only_input = "-";
-  std::array<char*, 3> words{name.data(), only_input.data(), nullptr};
-  pid_t child = 0;
-  Finished result;
-  result.started = ::posix_spawnp(&child, "gnuplot", &streams, nullptr, words.data(), environ) == 0;
-  ::posix_spawn_file_actions_destroy(&streams);
-  if (!result.started) return result;
-  int status = 0;
-  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
-  result.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  result.out = text_of(out.get());
-  result.err = text_of(err.get());
-  return result;
-}
-
-/// Text between single quotes of gnuplot.
-std::string quoted(const std::string& text) {
-  std::string result = "'";
-  for (const char c : text) result += c == '\'' ? std::string("''") : c == '\n' ? " " : std::string(1, c);
-  return result + "'";
-}
-
-std::string script_of(const Figure& figure) {
-  std::string script = fmt::format(
-      "set terminal svg size 720,440 noenhanced font 'DejaVu Sans,13' background '#ffffff'\n"
-      "set title {}\nset xlabel {}\nset ylabel {}\nset grid lc rgb '#d0d0d0'\nset border lc rgb '#404040'\n"
-      "set key outside right top vertical Left reverse samplen 2\nset style data lines\n",
-      quoted(figure.title), quoted(figure.x_label), quoted(figure.y_label));
+/// The commands from the axes' labels to the points.
+std::string plot_of(const Figure& figure, bool with_key) {
+  std::string script = fmt::format("set title {}\nset xlabel {}\nset ylabel {}\nset grid lc rgb '#d0d0d0'\n",
+                                   quoted(figure.title), quoted(figure.x_label), quoted(figure.y_label));
+  script += range_text("x", figure.x_range) + range_text("y", figure.y_range);
   if (figure.log_x) script += "set logscale x\nset format x '%.0e'\n";
   if (figure.log_y) script += "set logscale y\n";
+  for (const Mark& mark : figure.marks) {
+    script += fmt::format(
+        "set arrow from first {0}, graph 0 to first {0}, graph 1 nohead dt 3 lc rgb '#606060'\n", mark.x);
+    if (!mark.label.empty())
+      script += fmt::format(
+          "set label {} at first {}, graph 0.97 right rotate by 90 offset character 0.8,0 font ',10' front\n",
+          quoted(mark.label), mark.x);
+  }
   std::string plot = "plot", data;
   for (std::size_t k = 0; k < figure.curves.size(); ++k) {
     const Curve& curve = figure.curves[k];
-    const char* colour = colours[k % colours.size()];
-    plot += fmt::format("{} '-' using 1:2 title {} ", k ? "," : "", quoted(curve.label));
-    plot += curve.points ? fmt::format("with points pt {} ps 0.7 lc rgb '{}'", 4 + k % 10, colour)
-                         : fmt::format("with lines lw 1.8 dt {} lc rgb '{}'", 1 + k / colours.size(), colour);
-    for (std::size_t j = 0; j < curve.x.size(); ++j)
-      data += std::isfinite(curve.x[j]) && std::isfinite(curve.y[j])
-                  ? fmt::format("{} {}\n", curve.x[j], curve.y[j])
-                  : "\n";
+    plot += fmt::format("{} '-' using 1:2 {} {}", k ? "," : "",
+                        with_key ? "title " + quoted(curve.label) : "notitle", style_of(curve, k));
+    for (std::size_t j = 0; j < curve.x.size(); ++j) data += gnuplot::data_line({curve.x[j], curve.y[j]});
     data += "e\n";
   }
   return script + plot + "\n" + data;
 }
 
+/// Where a sheet has what, in pixels.
+struct Layout {
+  static constexpr int left = 86, right = 24, top = 34, bottom = 54, title = 40;
+  const FigureSheet& sheet;
+  std::size_t columns = std::max<std::size_t>(1, std::min(sheet.columns, sheet.panels.size()));
+  std::size_t rows = (sheet.panels.size() + columns - 1) / columns;
+  int cell_width = left + sheet.panel_width + right, cell_height = top + sheet.panel_height + bottom;
+  int width = static_cast<int>(columns) * cell_width + key_width();
+  int height = title + static_cast<int>(rows) * cell_height;
+
+  int key_width() const {
+    std::size_t longest = 0;
+    for (const Figure& panel : sheet.panels)
+      if (panel.curves.size() > 1)
+        for (const Curve& curve : panel.curves) longest = std::max(longest, curve.label.size());
+    return longest == 0 ? 0 : 40 + 8 * static_cast<int>(std::min<std::size_t>(longest, 40));
+  }
+
+  std::string margins(std::size_t k) const {
+    const int x = static_cast<int>(k % columns) * cell_width + left;
+    const int y = title + static_cast<int>(k / columns) * cell_height + top;
+    const auto across = [&](int pixel) { return static_cast<double>(pixel) / width; };
+    const auto up = [&](int pixel) { return 1.0 - static_cast<double>(pixel) / height; };
+    return fmt::format(
+        "set lmargin at screen {:.6f}\nset rmargin at screen {:.6f}\nset tmargin at screen {:.6f}\n"
+        "set bmargin at screen {:.6f}\n",
+        across(x), across(x + sheet.panel_width), up(y), up(y + sheet.panel_height));
+  }
+};
+
 }  // namespace
 
-bool can_draw_figures() {
-  const Finished g = gnuplot("");
-  return g.started && g.status == 0;
+std::string figure_script(const Figure& figure) {
+  return gnuplot::head(720, 440) + "set key outside right top vertical Left reverse samplen 2\n" +
+         plot_of(figure, true);
 }
 
-std::string figure_svg(const Figure& figure) {
-  const Finished g = gnuplot(script_of(figure));
-  // 127 where the C library only notices in the child that there is no such program.
-  if (!g.started || g.status == 127)
-    throw Failure(Exit::io,
-                  "gnuplot, which draws the figures, is not installed; its Debian package is gnuplot-nox");
-  if (g.status != 0 || g.out.find("</svg>") == std::string::npos)
-    throw Failure(Exit::io, fmt::format("gnuplot could not draw the figure {}:\n{}", figure.name, g.err));
-  return g.out;
+std::string figure_script(const FigureSheet& sheet) {
+  const Layout layout{sheet};
+  std::string script = gnuplot::head(layout.width, layout.height);
+  script += fmt::format(
+      "set multiplot title {}\n"
+      "set key at graph 1.04, graph 1 left top vertical Left reverse samplen 2\n",
+      quoted(sheet.title));
+  for (std::size_t k = 0; k < sheet.panels.size(); ++k) {
+    const Figure& panel = sheet.panels[k];
+    const bool with_key = panel.curves.size() > 1 && (!sheet.common_key || k + 1 == layout.columns);
+    script += "unset logscale\nunset arrow\nunset label\nset format\n" + layout.margins(k) +
+              plot_of(panel, with_key);
+  }
+  return script + "unset multiplot\n";
 }
+
+std::string figure_svg(const Figure& figure) { return drawn_by_gnuplot(figure_script(figure), figure.name); }
 
 std::string figure_csv(const Figure& figure) {
-  const auto cell = [](const std::string& text) {
-    std::string result = "\"";
-    for (const char c : text) result += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return result + "\"";
-  };
-  std::string text = fmt::format("curve,{},{}\n", cell(figure.x_label), cell(figure.y_label));
+  std::string text = fmt::format("curve,{},{}\n", csv_quoted(figure.x_label), csv_quoted(figure.y_label));
   for (const Curve& curve : figure.curves)
     for (std::size_t k = 0; k < curve.x.size(); ++k)
-      text += fmt::format("{},{},{}\n", cell(curve.label), curve.x[k], curve.y[k]);
+      text += fmt::format("{},{},{}\n", csv_quoted(curve.label), curve.x[k], curve.y[k]);
+  return text;
+}
+
+std::string figure_csv(const FigureSheet& sheet) {
+  std::string text = "panel,curve,x_label,x,y_label,y\n";
+  for (const Figure& panel : sheet.panels)
+    for (const Curve& curve : panel.curves)
+      for (std::size_t k = 0; k < curve.x.size(); ++k)
+        text += fmt::format("{},{},{},{},{},{}\n", csv_quoted(panel.title), csv_quoted(curve.label),
+                            csv_quoted(panel.x_label), curve.x[k], csv_quoted(panel.y_label), curve.y[k]);
   return text;
 }
 

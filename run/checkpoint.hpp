@@ -7,6 +7,7 @@
 #include "engine/simulation/state.hpp"
 #include "output/run_folder.hpp"
 #include "run/case_keys.hpp"
+#include "run/flow_meters.hpp"
 #include "run/results.hpp"
 #include "run/run_summary.hpp"
 #include "run/wall_loads.hpp"
@@ -23,6 +24,7 @@ struct Checkpoint {
   std::vector<CaseKey> keys;             ///< of the case
   State state;
   WallRecord loads;
+  std::vector<FlowRecord> flows;
   RunSummary summary;  ///< without exit and reason
   WrittenResults results;
 };

@@ -28,6 +28,18 @@ void fields(Archive& archive, WallRecord& r) {
   archive(r.steps_per_window, r.steps_in_window, r.cycles, r.current, r.last);
 }
 template <class Archive>
+void fields(Archive& archive, measures::Flow& f) {
+  archive(f.forward_mass, f.backward_mass, f.forward_count, f.backward_count);
+}
+template <class Archive>
+void fields(Archive& archive, measures::FlowMeter::State& s) {
+  archive(s.flow, s.ids, s.places);
+}
+template <class Archive>
+void fields(Archive& archive, FlowRecord& r) {
+  archive(r.meter, r.phase_mass, r.line_mass, r.phase_count, r.phase_start, r.line_start);
+}
+template <class Archive>
 void fields(Archive& archive, Measure& m) {
   archive(m.name, m.value, m.unit, m.window);
 }
@@ -50,7 +62,7 @@ void fields(Archive& archive, VtkSeries::Frame& f) {
 }
 template <class Archive>
 void fields(Archive& archive, WrittenFrames& f) {
-  archive(f.parcels, f.walls, f.porosity, f.count, f.last);
+  archive(f.parcels, f.walls, f.porosity, f.fields, f.count, f.last);
 }
 template <class Archive>
 void fields(Archive& archive, WrittenResults& r) {

@@ -3,23 +3,46 @@
 
 #include <fmt/format.h>
 
+#include "measures/continuum.hpp"
 #include "run/sight.hpp"
 #include "run/wall_mesh.hpp"
 #include "run/wall_results.hpp"
 
 namespace pulvis {
 
+namespace {
+
+Grid grid_of(const measures::PorosityField& field) {
+  Grid grid;
+  grid.origin = field.origin;
+  grid.spacing = field.spacing;
+  for (std::size_t axis = 0; axis < 3; ++axis) grid.cells[axis] = static_cast<int>(field.cells[axis]);
+  return grid;
+}
+
+std::vector<double> flat(const std::vector<measures::Tensor>& tensors) {
+  std::vector<double> numbers;
+  numbers.reserve(9 * tensors.size());
+  for (const measures::Tensor& t : tensors)
+    for (const Vec3& row : t.rows) numbers.insert(numbers.end(), {row.x, row.y, row.z});
+  return numbers;
+}
+
+}  // namespace
+
 Frames::Frames(const RunFolder& folder, const WrittenFrames& written)
     : folder_(folder),
       written_(written),
       parcels_(folder.file("parcels.pvd"), written.parcels),
       walls_(folder.file("walls.pvd"), written.walls),
-      porosity_(folder.file("porosity.pvd"), written.porosity) {}
+      porosity_(folder.file("porosity.pvd"), written.porosity),
+      fields_(folder.file("fields.pvd"), written.fields) {}
 
 const WrittenFrames& Frames::written() {
   written_.parcels = parcels_.frames();
   written_.walls = walls_.frames();
   written_.porosity = porosity_.frames();
+  written_.fields = fields_.frames();
   return written_;
 }
 
@@ -81,15 +104,27 @@ void Frames::add(const Simulation& simulation, const WallLoads& loads,
   walls_.add(time, file("walls", "vtp"));
 
   if (!porosity) return;
-  Grid grid;
-  grid.origin = porosity->origin;
-  grid.spacing = porosity->spacing;
-  for (std::size_t axis = 0; axis < 3; ++axis) grid.cells[axis] = static_cast<int>(porosity->cells[axis]);
   const std::vector<Field> grid_fields = {
       {"porosity", std::span<const double>(porosity->values), 1, Stored::double_precision},
       {"counted_volume", std::span<const double>(porosity->counted_volume), 1, Stored::double_precision}};
-  write_grid_vti(folder_.file(file("porosity", "vti")), grid, grid_fields, time);
+  write_grid_vti(folder_.file(file("porosity", "vti")), grid_of(*porosity), grid_fields, time);
   porosity_.add(time, file("porosity", "vti"));
+}
+
+void Frames::add_fields(double time, const DieSight& sight, const measures::PorosityField& grid,
+                        double support) {
+  const auto fields =
+      measures::continuum_fields(measures::grid_points(sight.container, grid.cells), sight.particles,
+                                 sight.forces.pairs, sight.forces.walls, support);
+  const std::vector<double> contact = flat(fields.contact_stress), kinetic = flat(fields.kinetic_stress);
+  const std::vector<Field> list = {{"density", std::span<const double>(fields.density)},
+                                   {"velocity", std::span<const Vec3>(fields.velocity)},
+                                   {"contact_stress", std::span<const double>(contact), 9},
+                                   {"kinetic_stress", std::span<const double>(kinetic), 9}};
+  folder_.folder("frames");
+  const std::string name = fmt::format("frames/fields-{:06}.vti", fields_.frames().size());
+  write_grid_vti(folder_.file(name), grid_of(grid), list, time);
+  fields_.add(time, name);
 }
 
 }  // namespace pulvis

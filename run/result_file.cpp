@@ -3,17 +3,13 @@
 
 #include <nlohmann/json.hpp>
 
+#include "run/measures_json.hpp"
+#include "run/sight.hpp"
+
 namespace pulvis {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json to_json(const std::vector<Measure>& measures) {
-  Json json = Json::object();
-  for (const Measure& m : measures)
-    json[m.name] = {{"value", m.value ? Json(*m.value) : Json()}, {"unit", m.unit}, {"window", m.window}};
-  return json;
-}
 
 Json to_json(const std::vector<WallForce>& walls) {
   const auto list = [](const Vec3& v) { return Json{v.x, v.y, v.z}; };
@@ -89,10 +85,10 @@ Json result_json(const Case& c, const TimeStep& time_step, const RunSummary& sum
                       {"start_s", p.start},
                       {"end_s", p.end},
                       {"ended_by", p.ended_by},
-                      {"measures", to_json(p.measures)},
+                      {"measures", scalars_json(p.measures)},
                       {"walls", to_json(p.walls)}});
   json["phases"] = phases;
-  json["measures"] = summary.phases.empty() ? Json::object() : to_json(summary.phases.back().measures);
+  json["measures"] = summary.phases.empty() ? Json::object() : scalars_json(summary.phases.back().measures);
   json["notes"] = summary.notes;
   json["warnings"] = summary.warnings;
   return json;

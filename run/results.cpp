@@ -45,9 +45,11 @@ const std::vector<std::string> result_files = {"case.toml",
                                                "parcels.pvd",
                                                "walls.pvd",
                                                "porosity.pvd",
+                                               "fields.pvd",
                                                "frames/parcels-*.vtp",
                                                "frames/walls-*.vtp",
-                                               "frames/porosity-*.vti"};
+                                               "frames/porosity-*.vti",
+                                               "frames/fields-*.vti"};
 
 std::filesystem::path real_path(const std::filesystem::path& path) {
   std::error_code ignored;
@@ -91,6 +93,7 @@ std::set<std::string> names_of(const WrittenResults& written) {
   std::set<std::string> names(written.files.begin(), written.files.end());
   names.insert({"case.toml", "run.json", "result.json", "log.csv"});
   if (written.wall_log > 0) names.insert("wall-forces.csv");
+  if (written.measures > 0) names.insert("measures.csv");
   const auto add = [&](const char* series, const std::vector<VtkSeries::Frame>& frames) {
     if (!frames.empty()) names.insert(series);
     for (const VtkSeries::Frame& frame : frames) names.insert(frame.file);
@@ -98,6 +101,7 @@ std::set<std::string> names_of(const WrittenResults& written) {
   add("parcels.pvd", written.frames.parcels);
   add("walls.pvd", written.frames.walls);
   add("porosity.pvd", written.frames.porosity);
+  add("fields.pvd", written.frames.fields);
   return names;
 }
 
@@ -128,6 +132,7 @@ Results::Results(const Case& c, const TimeStep& time_step, const Walls& walls, c
       log_(written.log > 0 ? CsvLog::continued(folder.file("log.csv"), log_columns, written.log)
                            : CsvLog(folder.file("log.csv"), log_columns)),
       wall_results_(folder, walls, written.wall_log),
+      measure_results_(folder, written.measures),
       frames_(folder, written.frames) {
   folder.remove_results(result_files, names_of(written));
   // Given back before result.json is written, so that a full disk still has room for what went wrong.
@@ -137,6 +142,7 @@ Results::Results(const Case& c, const TimeStep& time_step, const Walls& walls, c
 WrittenResults Results::written() {
   written_.log = log_.sync();
   written_.wall_log = wall_results_.sync();
+  written_.measures = measure_results_.sync();
   written_.frames = frames_.written();
   return written_;
 }

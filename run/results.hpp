@@ -9,6 +9,7 @@
 #include "output/csv.hpp"
 #include "output/run_folder.hpp"
 #include "run/frames.hpp"
+#include "run/measure_results.hpp"
 #include "run/run_summary.hpp"
 #include "run/time_step.hpp"
 #include "run/wall_results.hpp"
@@ -46,9 +47,22 @@ class Results {
              const std::optional<measures::PorosityField>& porosity) {
     frames_.add(simulation, loads, porosity);
   }
+  /// Continuum fields of the die for ParaView.
+  void fields(double time, const DieSight& sight, const measures::PorosityField& grid, double support) {
+    frames_.add_fields(time, sight, grid, support);
+  }
   /// A line of wall-forces.csv.
   void log_walls(const WallLoads& loads, const Simulation& simulation, const std::string& phase) {
     wall_results_.log(loads, simulation, phase);
+  }
+  /// A line of measures.csv.
+  void log_measures(double time, const std::string& phase, const std::vector<Measure>& list) {
+    measure_results_.log(time, phase, list);
+  }
+  /// Everything measured at the end of a phase.
+  void write_measures(double time, const std::string& phase, const std::vector<Measure>& list,
+                      const std::optional<DieSurvey>& die, const std::vector<FlowSince>& flow) {
+    written_.files.push_back(measure_results_.write_phase(time, phase, list, die, flow));
   }
   void write_pressures(const WallLoads& loads, const Simulation& simulation, const std::string& phase) {
     written_.files.push_back(wall_results_.write_pressures(loads, simulation, phase));
@@ -73,6 +87,7 @@ class Results {
   WrittenResults written_;  ///< but for the logs and the series, which know it themselves
   CsvLog log_;
   WallResults wall_results_;
+  MeasureResults measure_results_;
   Frames frames_;
 };
 

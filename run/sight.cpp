@@ -41,4 +41,37 @@ std::vector<std::int32_t> contacts_of(const Sight& sight) {
   return contacts;
 }
 
+ForceSight forces_in(const Simulation& simulation, const Sight& sight) {
+  const auto& body = simulation.state().parcels.body;
+  const NearestImage nearest = NearestImage::of(simulation.model().domain);
+  ForceSight forces;
+  forces.pairs.reserve(sight.contacts.size());
+  forces.walls.reserve(sight.wall_contacts.size());
+  const NearPairs& pairs = simulation.pairs();
+  for (std::size_t slot = 0; slot < pairs.slots(); ++slot) {
+    if (!pairs.touching[slot]) continue;
+    const measures::Contact& contact = sight.contacts[forces.pairs.size()];
+    const Vec3 branch = nearest(body[pairs.first[slot]].position - body[pairs.second[slot]].position);
+    forces.pairs.push_back({contact.first, contact.second, pairs.load[slot].force, branch});
+  }
+  const NearWalls& near = simulation.walls();
+  const Walls& walls = simulation.model().walls;
+  for (std::size_t slot = 0; slot < near.slots(); ++slot) {
+    if (!near.touching[slot]) continue;
+    const Pose& pose = simulation.pose(walls.surfaces[near.surface[slot]].body);
+    const Vec3 at = pose.now.back(body[near.parcel[slot]].position);
+    const Vec3 branch = pose.now.turn(-look(walls, near, slot, at).offset);
+    forces.walls.push_back({sight.wall_contacts[forces.walls.size()], near.load[slot].force, branch});
+  }
+  return forces;
+}
+
+std::vector<double> normal_forces(const ForceSight& forces) {
+  std::vector<double> list;
+  list.reserve(forces.pairs.size());
+  for (const measures::PairForce& pair : forces.pairs)
+    list.push_back(dot(pair.force, pair.branch) / norm(pair.branch));
+  return list;
+}
+
 }  // namespace pulvis

@@ -5,6 +5,7 @@
 #include "engine/simulation/simulation.hpp"
 #include "measures/energies.hpp"
 #include "measures/shapes.hpp"
+#include "measures/stress.hpp"
 
 namespace pulvis {
 
@@ -21,5 +22,15 @@ Sight look_at(const Simulation& simulation);
 
 /// Contacts with other parcels, of each parcel.
 std::vector<std::int32_t> contacts_of(const Sight& sight);
+
+/// What contacts carry, in the order of the contacts of a sight of the same moment.
+struct ForceSight {
+  std::vector<measures::PairForce> pairs;
+  std::vector<measures::WallForce> walls;
+};
+ForceSight forces_in(const Simulation& simulation, const Sight& sight);
+
+/// F_n of each contact between parcels, N, positive pushing apart.
+std::vector<double> normal_forces(const ForceSight& forces);
 
 }  // namespace pulvis

@@ -172,6 +172,17 @@ TEST(PartPorosity, OfTwoHalvesAddsUpToTheWhole) {
               scene.field.standard_deviation.value(), 1e-12);
 }
 
+TEST(PartPorosity, OfRandomSpheresApartIsThatOfTheirNumber) {
+  // Exactly in the whole die; a half holds N/2 +- sqrt(N)/2 of spheres put anywhere (less if they keep apart).
+  const std::size_t n = 2000;
+  const double solid = static_cast<double>(n) * sphere_volume(0.03);
+  const Scene scene(packings::random_apart(n, 0.03, 21), {.max = {1, 1, 1}}, 1.0, 0.1);
+  EXPECT_NEAR(scene.in({{0, 0, 0}, {1, 1, 1}}).porosity.value(), 1 - solid, 1e-9);
+  const double error = 4 * solid / std::sqrt(static_cast<double>(n));
+  for (const Part& part : halves(scene.container))
+    EXPECT_NEAR(scene.in(part.box).porosity.value(), 1 - solid, error) << part.name;
+}
+
 TEST(PartPorosity, OfAPeriodicBodyCentredPackingIsExactInAnyWholeCells) {
   const auto [spheres, contacts] = packings::body_centred(4, 1.0);
   const auto images = periodic_images(spheres, {{0, 0, 0}, {4, 4, 4}}, {true, true, true});

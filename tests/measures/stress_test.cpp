@@ -57,6 +57,12 @@ TEST(Stress, OfAGasIsItsMassTimesTheSpreadOfItsVelocities) {
   EXPECT_DOUBLE_EQ(result.pressure(), 4.0);
 }
 
+TEST(Tensor, TurnsIntoOtherAxes) {
+  const Tensor a = outer({1, 2, 3}, {4, 5, 6});
+  const std::array<Vec3, 3> axes{{{0, 1, 0}, {0, 0, 1}, {1, 0, 0}}};
+  EXPECT_EQ(along_axes(a, axes), outer({2, 3, 1}, {5, 6, 4}));
+}
+
 TEST(Stress, OfNothingIsNone) {
   const Stress result = stress({}, {}, {}, {}, 1.0);
   EXPECT_EQ(result.pressure(), 0.0);
