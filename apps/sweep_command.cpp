@@ -18,10 +18,6 @@ Value value_of(const CLI::App& command, const char* option) {
   return command.count(option) > 0 ? command.get_option(option)->as<Value>() : Value{};
 }
 
-bool has_command(const CLI::App& app, const std::string& name) {
-  return !app.get_subcommands([&](const CLI::App* command) { return command->get_name() == name; }).empty();
-}
-
 }  // namespace
 
 void add_sweep_command(CLI::App& app) {
@@ -45,18 +41,16 @@ void add_sweep_command(CLI::App& app) {
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   sweep->add_flag("--resume")->description("refuse to begin: a sweep must be there to go on with");
   sweep->footer(
-      "Example: pulvis sweep sine-5hz.toml sine-10hz.toml --vary materials.mo.friction=0.3,0.5 --seeds 3 "
-      "--out "
+      "Example: pulvis sweep sine.toml square.toml --vary materials.mo.friction=0.3,0.5 --seeds 3 --out "
       "sweep\n"
-      "Runs side by side on one thread each waste nothing on sharing; threads never change a result. Leaves "
-      "sweep.json\n"
-      "(the list of runs), sweep.csv (their measures), NAME/ and NAME.log of each run. Ctrl-C or SIGTERM "
-      "stop all "
-      "runs\n"
-      "with a checkpoint; then, or after a crash, the same command goes on: complete runs are kept. The exit "
-      "code "
-      "is that\n"
-      "of the first run that failed.");
+      "Runs side by side on one thread each waste nothing on sharing; threads never change a result.\n"
+      "Leaves sweep.json (the list of runs), sweep.csv (their measures), comparison/ (a page of the runs "
+      "side\n"
+      "by side), NAME/ and NAME.log of each run. Ctrl-C or SIGTERM stop all runs with a checkpoint; then, "
+      "or\n"
+      "after a crash, the same command goes on: complete runs are kept. The exit code is that of the first "
+      "run\n"
+      "that failed.");
 }
 
 std::optional<Exit> run_sweep_command(const CLI::App& app) {
@@ -74,7 +68,6 @@ std::optional<Exit> run_sweep_command(const CLI::App& app) {
   request.jobs = value_of<int>(*command, "--jobs");
   request.threads = value_of<int>(*command, "--threads");
   request.resume = command->count("--resume") > 0;
-  request.compare = has_command(app, "compare");
   return sweep::run_sweep(request);
 }
 

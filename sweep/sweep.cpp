@@ -150,7 +150,7 @@ Exit run_sweep(const Request& request) {
   }
   write_table(folder.file("sweep.csv"), members, tasks, outcomes);
   fmt::print("{}{}\n", table_text(members, tasks, outcomes), folder.file("sweep.csv"));
-  if (request.compare && signal_to_stop() == 0) compare(program, folder, tasks, outcomes);
+  if (signal_to_stop() == 0) compare(program, folder, tasks, outcomes);
   print_what_is_missing(tasks, outcomes);
   return exit_of(outcomes);
 }

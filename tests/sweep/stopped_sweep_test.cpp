@@ -13,7 +13,7 @@ namespace {
 struct Place {
   TemporaryFolder folder;
   std::string file =
-      folder.file("die.toml", with(with(small_die, "duration = \"0.01 s\"", "duration = \"0.2 s\""),
+      folder.file("die.toml", with(with(small_die, "duration = \"0.01 s\"", "duration = \"0.1 s\""),
                                    "picture = false", "picture = false\ncheckpoint_interval = \"50 ms\""));
   std::string out = folder / "sweep";
   std::vector<std::string> command{"sweep", file,        "--seeds", "3",     "--jobs",

@@ -30,6 +30,8 @@ TEST(Sweep, LeavesWhatEachRunWouldLeaveByItselfAndATableOfAll) {
                                      "phases.fly.duration=\"10 ms\""});
   ASSERT_EQ(swept.exit, 0) << swept.err;
   EXPECT_TRUE(has(swept.err, "4 of 4 runs complete")) << swept.err;
+  EXPECT_TRUE(has(swept.out, place.in("comparison/comparison.html"))) << swept.out << swept.err;
+  EXPECT_TRUE(has(text_of(place.in("comparison/comparison.html")), "die-friction-0.6-seed-2"));
   const auto lines = lines_of(text_of(place.in("sweep.csv")));
   ASSERT_EQ(lines.size(), 5u);
   EXPECT_TRUE(lines[0].starts_with("run,case,materials.glass.friction,seed,state,parcels,wall_time_s,"))
