@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "apps/report_command.hpp"
+#include "apps/sweep_command.hpp"
 #include "apps/templates.hpp"
 #include "case/reader.hpp"
 #include "output/safe_file.hpp"
@@ -21,6 +22,7 @@ namespace {
 
 using pulvis::Exit;
 using pulvis::Failure;
+using pulvis::overrides_from;
 
 extern "C" void on_interrupt(int signal) {
   // The first Ctrl-C ends after this step with valid results; a second one ends at once.
@@ -29,17 +31,6 @@ extern "C" void on_interrupt(int signal) {
 }
 
 extern "C" void on_leave(int signal) { pulvis::ask_to_stop(signal); }
-
-std::vector<pulvis::Override> overrides_from(const std::vector<std::string>& settings) {
-  std::vector<pulvis::Override> list;
-  for (const std::string& s : settings) {
-    const auto equals = s.find('=');
-    if (equals == std::string::npos || equals == 0)
-      throw Failure(Exit::usage, fmt::format("--set {}: expected key.path=value", s));
-    list.push_back({s.substr(0, equals), s.substr(equals + 1)});
-  }
-  return list;
-}
 
 Exit check(const std::string& file, const std::vector<std::string>& settings) {
   const pulvis::Case c = pulvis::read_case(file, overrides_from(settings));
@@ -171,6 +162,7 @@ int main(int argc, char** argv) {
   explain->add_option("KEY", key, "a key or a table")->required();
 
   pulvis::add_report_commands(app);
+  pulvis::add_sweep_command(app);
 
   pulvis::validation::Request validation;
   validation.out = "validation-results";
@@ -211,6 +203,8 @@ int main(int argc, char** argv) {
       result = pulvis::run_case(request);
     } else if (const auto reported = pulvis::run_report_command(app)) {
       result = *reported;
+    } else if (const auto swept = pulvis::run_sweep_command(app)) {
+      result = *swept;
     } else if (*check_command) {
       result = check(file, settings);
     } else if (*law_command) {

@@ -10,7 +10,20 @@
 #include "case/keys.hpp"
 #include "case/toml_source.hpp"
 
-namespace pulvis::case_file {
+namespace pulvis {
+
+std::vector<Override> overrides_from(const std::vector<std::string>& settings) {
+  std::vector<Override> list;
+  for (const std::string& s : settings) {
+    const auto equals = s.find('=');
+    if (equals == std::string::npos || equals == 0)
+      throw Failure(Exit::usage, fmt::format("--set {}: expected key.path=value", s));
+    list.push_back({s.substr(0, equals), s.substr(equals + 1)});
+  }
+  return list;
+}
+
+namespace case_file {
 namespace {
 
 // A part of a path: a key, or the index of an element.
@@ -186,4 +199,5 @@ void apply_overrides(const std::vector<Override>& overrides, Value& root, Proble
   }
 }
 
-}  // namespace pulvis::case_file
+}  // namespace case_file
+}  // namespace pulvis

@@ -14,6 +14,9 @@ struct Override {
   std::string value;  ///< TOML; what is no TOML is taken as text, so that "1e-4 J/m^2" needs no inner quotes
 };
 
+/// Overrides from "key=value". Throws Failure(Exit::usage) for what is not so.
+std::vector<Override> overrides_from(const std::vector<std::string>& settings);
+
 namespace case_file {
 
 /// Puts the overrides into the parsed file, one after the other; what they cannot address is a problem.

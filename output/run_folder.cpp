@@ -91,6 +91,14 @@ bool still_named(int lock, const std::string& path) {
 
 }  // namespace
 
+bool is_held(const std::string& folder) {
+  const int lock = ::open((folder + "/" + lock_name).c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW);
+  if (lock < 0) return false;
+  const bool held = ::flock(lock, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  ::close(lock);
+  return held;
+}
+
 RunFolder::RunFolder(std::string path, UsedFolder used, std::span<const std::string> result_files)
     : path_(std::move(path)), lock_(-1) {
   while (path_.size() > 1 && path_.back() == '/') path_.pop_back();

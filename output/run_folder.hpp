@@ -44,4 +44,7 @@ class RunFolder {
   int lock_;
 };
 
+/// Whether a process holds this results folder.
+bool is_held(const std::string& folder);
+
 }  // namespace pulvis

@@ -119,6 +119,7 @@ class Process {
   Process& operator=(const Process&) = delete;
 
   void signal(int number) const { ::kill(child_, number); }
+  pid_t id() const { return child_; }
 
   /// Waits for its end; nothing if it has not come after that many seconds.
   std::optional<Outcome> wait(double seconds) {
