@@ -23,7 +23,7 @@ constexpr std::string_view style =
     ".notice{border-left:.35rem solid #d55e00;background:#fdf3ec;padding:.5rem .9rem}"
     ".images{display:flex;flex-wrap:wrap;gap:1rem;align-items:flex-start}"
     "figure{margin:.5rem 0;flex:0 1 auto;min-width:0;max-width:100%}"
-    ".images.many{display:grid;grid-template-columns:repeat(auto-fill,minmax(20rem,1fr))}"
+    ".images.many{display:grid;grid-template-columns:repeat(auto-fill,minmax(24rem,1fr))}"
     "figcaption{font-size:.85rem;color:#444;max-width:52rem}.wide{overflow-x:auto}"
     "@media "
     "print{body{margin:0;max-width:none;font-size:11pt}nav{display:none}figure,tr,.notice{break-inside:"

@@ -2,6 +2,9 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "report/csv_table.hpp"
 #include "report/report.hpp"
 #include "tests/output/failures.hpp"
 #include "tests/output/scratch_folder.hpp"
@@ -105,6 +108,24 @@ TEST(Report, FigureDataAreTheMeasuresOfTheRun) {
   EXPECT_SAYS(layers, "\"vertical stress (Pa)\",300,");
   const std::string contacts = content_of(scratch.file("run/report/coordination.csv"));
   EXPECT_SAYS(contacts, fmt::format("\"fill\",2.5,{}", 1500.0 / 3078.0));
+}
+
+// Of the box's sides, u runs along y on -x, but along z on -y; the pressures of the sample count k = 0..3 with u first.
+TEST(Report, UnfoldsTheWallsOfABoxAsTheyStand) {
+  const ScratchFolder scratch;
+  page_of(scratch);
+  const auto walls = *report::CsvTable::read(scratch.file("run/report/wall-pressure.csv"));
+  const auto x = walls.numbers("x"), y = walls.numbers("y"), pressure = walls.numbers("pressure (Pa)");
+  const auto at = [&](double across, double up) {
+    for (std::size_t k = 0; k < walls.rows(); ++k)
+      if (std::abs(x[k] - across) < 1e-9 && std::abs(y[k] - up) < 1e-9) return pressure[k];
+    return -1.0;
+  };
+  EXPECT_EQ(at(-4.5, 1.5), 100.0);   // -x: y = 1.5, low
+  EXPECT_EQ(at(-1.5, -7.5), 100.0);  // -y: x = -1.5, high
+  EXPECT_EQ(at(1.5, 4.5), 200.0);    // +y: x = 1.5, low
+  EXPECT_EQ(at(1.5, -1.5), 100.0);   // floor
+  EXPECT_EQ(at(0.0, 0.0), 5.0);      // the shoe, by itself
 }
 
 TEST(Report, AsksNothingOfTheNetworkAndHoldsNoScript) {
