@@ -287,6 +287,12 @@ class Builder {
     result.cell_diameters = section.number("cell_diameters");
     result.wall_window = section.optional_number("wall_window");
     result.column_diameters = section.number("column_diameters");
+    result.interval = section.number("interval");
+    for (const Section& part : section.group("parts"))
+      result.parts.push_back({part.name, part.vector("min"), part.vector("max")});
+    for (const Section& surface : section.group("surfaces"))
+      result.surfaces.push_back({surface.name, surface.vector("point"), surface.unit_vector("normal"),
+                                 surface.optional_number("radius")});
     return result;
   }
 

@@ -166,12 +166,29 @@ struct TimeChoice {
   std::optional<double> characteristic_speed;  ///< m/s, for the Hertz limit; default: estimated from the case
 };
 
+/// A part of the die that is measured by itself; in the die's own frame, from the lowest corner of its inside.
+struct MeasuredPart {
+  std::string name;
+  Vec3 min, max;  ///< m
+};
+
+/// A disc or plane at rest, through which the flow of powder is measured.
+struct FlowSurface {
+  std::string name;
+  Vec3 point;                    ///< m; its centre
+  Vec3 normal;                   ///< unit vector; flow that way is positive
+  std::optional<double> radius;  ///< m; without: it has no end
+};
+
 struct MeasureChoice {
   std::optional<std::size_t> die;  ///< index into Case::walls: the box or cylinder whose inside is measured
   std::optional<Region> region;    ///< instead of a die
   double cell_diameters = 3.0;     ///< edge of a porosity cell in mean parcel diameters
   std::optional<double> wall_window;  ///< s over which forces on walls are averaged
   double column_diameters = 2.0;      ///< edge of a free-surface column in mean parcel diameters
+  double interval = 0.0;  ///< s between lines of measures.csv; 0: a hundredth of the longest phase
+  std::vector<MeasuredPart> parts;
+  std::vector<FlowSurface> surfaces;
 };
 
 struct OutputChoice {
@@ -181,10 +198,22 @@ struct OutputChoice {
   bool picture = true;
 };
 
+/// A key of a case with its value and where that comes from.
+struct ResolvedKey {
+  std::string key;      ///< "materials.steel.density"
+  std::string value;    ///< as written in TOML
+  std::string meaning;  ///< the same however it was written: numbers in SI units, all their digits
+  std::string origin;   ///< "die.toml:14", "default" or "--set materials.steel.density"
+};
+
 struct Case {
   std::string title;
-  std::string file;  ///< as given
-  std::string text;  ///< the file's text, for the run folder
+  std::string file;                ///< as given
+  std::vector<std::string> bases;  ///< the files it extends, the nearest first
+  /// For the run folder: the file's text; of a case that extends another, all its files put together, with paths
+  /// made absolute.
+  std::string text;
+  std::vector<ResolvedKey> keys;  ///< every key that has a value, overrides and defaults too
   /// Where each table and key that was given is written: {"walls.die", "die.toml:14"} or {"time.step",
   /// "--set time.step"}; see place_of in reader.hpp.
   std::vector<std::pair<std::string, std::string>> origins;

@@ -31,6 +31,9 @@ void append_motions(Keys& keys);
 /// A box or a cylinder, wherever a region is described.
 void append_shape(Keys& keys, const std::string& table);
 
+/// What is measured, and where.
+void append_measures(Keys& keys);
+
 /// Time step, measures, output.
 void append_choices(Keys& keys);
 

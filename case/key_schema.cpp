@@ -124,18 +124,38 @@ Json required_where(const Condition& condition, const std::vector<const Key*>& k
           {"then", then}};
 }
 
+// What may stand in a table.
 Json table_schema(const std::string& pattern) {
   Json schema{{"type", "object"}, {"additionalProperties", false}, {"properties", Json::object()}};
-  std::map<std::pair<std::string, std::vector<std::string>>, std::vector<const Key*>> conditional;
   for (const Key* key : keys_in(pattern)) {
     const std::string leaf = leaf_of(key->pattern);
     schema["properties"][leaf] = key_schema(*key);
+    if (key->presence == Presence::optional && !key->partner.empty() && leaf < key->partner)
+      schema["not"] = {{"required", {leaf, key->partner}}};
+  }
+  return schema;
+}
+
+Json complete_table(const std::string& pattern);
+
+Json complete_value(const Key& key) {
+  Json below = complete_table(element_pattern(key));
+  if (below.empty() || key.kind == KeyKind::table) return below;
+  return {{key.kind == KeyKind::named_tables ? "additionalProperties" : "items", std::move(below)}};
+}
+
+// What must stand in it, and in those below it; empty if nothing must.
+Json complete_table(const std::string& pattern) {
+  Json schema = Json::object();
+  std::map<std::pair<std::string, std::vector<std::string>>, std::vector<const Key*>> conditional;
+  for (const Key* key : keys_in(pattern)) {
+    const std::string leaf = leaf_of(key->pattern);
+    if (is_table(key->kind))
+      if (Json below = complete_value(*key); !below.empty()) schema["properties"][leaf] = std::move(below);
     if (!key->only_when.key.empty() && key->presence != Presence::optional)
       conditional[{key->only_when.key, key->only_when.values}].push_back(key);
     else if (key->presence == Presence::required)
       schema["required"].push_back(leaf);
-    if (key->presence == Presence::optional && !key->partner.empty() && leaf < key->partner)
-      schema["not"] = {{"required", {leaf, key->partner}}};
   }
   for (const auto& [state, keys] : conditional)
     schema["allOf"].push_back(required_where({state.first, state.second}, keys));
@@ -147,6 +167,9 @@ Json table_schema(const std::string& pattern) {
 std::string json_schema() {
   Json schema{{"$schema", "https://json-schema.org/draft/2020-12/schema"}, {"title", "pulvis case file"}};
   schema.update(table_schema(""));
+  // What must be there may stand in the file that another extends.
+  schema["if"] = {{"not", {{"required", {"extends"}}}}};
+  schema["then"] = complete_table("");
   return schema.dump(2) + "\n";
 }
 

@@ -85,8 +85,9 @@ void append_sources(Keys& keys) {
            .example = R"("bed.dump")",
            .presence = required,
            .only_when = {"kind", {"file"}},
+           .file = true,
            .help = "LIGGGHTS or LAMMPS text dump with id, type, position, velocity and radius; seen from the "
-                   "case file"},
+                   "file that says so"},
           {.pattern = "sources.*.region",
            .kind = table,
            .presence = required,

@@ -68,6 +68,7 @@ struct Key {
   std::string refers_to{};  ///< named table whose names are meant
   std::string partner{};    ///< key beside this one that excludes it
   Condition only_when{};
+  bool file = false;  ///< text: the path of a file, seen from the file that gives it
   std::string help{};
 };
 

@@ -76,7 +76,9 @@ std::string CaseError::text_of(const std::vector<Problem>& all) {
 
 namespace case_file {
 
-ProblemList::ProblemList(std::string name, std::string_view text) {
+ProblemList::ProblemList(std::string name, std::string_view text) { add_file(std::move(name), text); }
+
+int ProblemList::add_file(std::string name, std::string_view text) {
   Source file{std::move(name), {}, false};
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // a byte order mark is no character of line 1
   while (true) {
@@ -90,6 +92,7 @@ ProblemList::ProblemList(std::string name, std::string_view text) {
   // The end of the last line belongs to it: a file of three lines has no fourth.
   if (file.lines.size() > 1 && file.lines.back().empty()) file.lines.pop_back();
   sources_.push_back(std::move(file));
+  return static_cast<int>(sources_.size()) - 1;
 }
 
 int ProblemList::add_override(const std::string& key, const std::string& assignment) {

@@ -43,6 +43,9 @@ class ProblemList {
   /// The case file: source 0.
   ProblemList(std::string name, std::string_view text);
 
+  /// A file that the case extends; returns its source number for `Place`.
+  int add_file(std::string name, std::string_view text);
+
   /// An override, shown as "key=value"; returns its source number for `Place`.
   int add_override(const std::string& key, const std::string& assignment);
 

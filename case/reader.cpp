@@ -4,58 +4,17 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <cerrno>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
 #include <utility>
 
 #include "case/build.hpp"
 #include "case/checker.hpp"
+#include "case/extension.hpp"
 #include "case/rules.hpp"
-#include "case/toml_source.hpp"
 
 namespace pulvis {
 namespace {
 
 using namespace case_file;
-
-// Text to checked sections; throws with all problems found on the way.
-Section checked_sections(const std::string& text, const std::vector<Override>& overrides,
-                         ProblemList& problems) {
-  auto parsed = parse_toml(text);
-  if (const SyntaxError* error = std::get_if<SyntaxError>(&parsed)) {
-    problems.add(error->place, error->message, error->expected);
-    problems.throw_if_any();
-  }
-  Value& root = std::get<Value>(parsed);
-  apply_overrides(overrides, root, problems);
-  Section section = check_keys(root, problems);
-  check_rules(section, problems);
-  problems.throw_if_any();
-  return section;
-}
-
-std::string text_of_file(const std::string& path) {
-  const auto unreadable = [&](const std::string& why) {
-    return Failure(Exit::bad_input, fmt::format("{}: cannot read the case file: {}", path, why));
-  };
-  // A folder opens like a file, and reading a device may never end.
-  std::error_code error;
-  const auto status = std::filesystem::status(path, error);
-  if (!std::filesystem::exists(status)) throw unreadable("there is no such file");
-  if (std::filesystem::is_directory(status)) throw unreadable("it is a folder");
-  errno = 0;
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw unreadable(std::strerror(errno));
-  // One byte beyond the limit is enough for the guard of the parser to refuse it.
-  constexpr std::size_t most = (4u << 20) + 1;
-  std::string text(most, '\0');
-  file.read(text.data(), static_cast<std::streamsize>(most));
-  if (file.bad()) throw unreadable(std::strerror(errno));
-  text.resize(static_cast<std::size_t>(file.gcount()));
-  return text;
-}
 
 void list_origins(const Section& section, const ProblemList& problems,
                   std::vector<std::pair<std::string, std::string>>& origins) {
@@ -74,21 +33,45 @@ std::string meaning_of(const Setting& setting) {
   return fmt::format("{}{}", fmt::join(setting.numbers, " "), fmt::join(setting.texts, "\n"));
 }
 
+std::vector<ResolvedKey> resolved(const Section& root, const ProblemList& problems) {
+  std::vector<const Setting*> settings;
+  list_settings(root, settings);
+  std::vector<ResolvedKey> result;
+  for (const Setting* setting : settings)
+    result.push_back({setting->path, setting->written, meaning_of(*setting),
+                      setting->given ? problems.describe(setting->place) : "default"});
+  return result;
+}
+
+void put_in(const std::vector<Override>& overrides, Value& root, ProblemList& problems) {
+  apply_overrides(overrides, root, problems);
+  if (const Entry* late = root.find("extends"))
+    problems.add(late->place, "extends is no key for --set: what a case extends is settled before",
+                 "write it into a case file of its own");
+}
+
 }  // namespace
 
 Case read_case_text(const std::string& text, const std::string& name,
                     const std::vector<Override>& overrides) {
   ProblemList problems(name, text);
-  const Section sections = checked_sections(text, overrides, problems);
+  Extended files = read_with_bases(text, name, problems);
+  std::string merged = files.bases.empty() ? text : text_of(files, name);
+  put_in(overrides, files.root, problems);
+  const Section sections = check_keys(files.root, problems);
+  check_rules(sections, problems);
+  problems.throw_if_any();
   Case result = build_case(sections, name);
   list_origins(sections, problems, result.origins);
+  result.keys = resolved(sections, problems);
   result.file = name;
-  result.text = text;
+  result.bases = std::move(files.bases);
+  result.text = std::move(merged);
   return result;
 }
 
 Case read_case(const std::string& path, const std::vector<Override>& overrides) {
-  return read_case_text(text_of_file(path), path, overrides);
+  return read_case_text(text_of_case_file(path), path, overrides);
 }
 
 std::string place_of(const Case& c, std::string key) {
@@ -99,19 +82,6 @@ std::string place_of(const Case& c, std::string key) {
     if (dot == std::string::npos) return c.file;
     key.resize(dot);
   }
-}
-
-std::vector<ResolvedKey> resolved(const std::string& text, const std::string& name,
-                                  const std::vector<Override>& overrides) {
-  ProblemList problems(name, text);
-  const Section root = checked_sections(text, overrides, problems);
-  std::vector<const Setting*> settings;
-  list_settings(root, settings);
-  std::vector<ResolvedKey> result;
-  for (const Setting* setting : settings)
-    result.push_back({setting->path, setting->written, meaning_of(*setting),
-                      setting->given ? problems.describe(setting->place) : "default"});
-  return result;
 }
 
 }  // namespace pulvis

@@ -9,8 +9,8 @@
 
 namespace pulvis {
 
-/// Reads and checks a case file, with the overrides put in. Throws CaseError with all problems of the
-/// case, Failure(Exit::bad_input) if the file cannot be read.
+/// Reads and checks a case file, put together with the files it extends, and with the overrides put in. Throws
+/// CaseError with all problems of the case, Failure(Exit::bad_input) if one of the files cannot be read.
 Case read_case(const std::string& path, const std::vector<Override>& overrides = {});
 
 /// The same for a text; `name` stands for the file in messages, and paths in the case are seen from it.
@@ -20,18 +20,6 @@ Case read_case_text(const std::string& text, const std::string& name,
 /// Where a key or table of the case is written ("die.toml:14", "--set KEY"), for messages about what only
 /// shows when the case is put together; if it is not given, where the nearest table around it is, or the file.
 std::string place_of(const Case& c, std::string key);
-
-/// A key of a case with its value and where that comes from.
-struct ResolvedKey {
-  std::string key;      ///< "materials.steel.density"
-  std::string value;    ///< as written in TOML
-  std::string meaning;  ///< the same however it was written: numbers in SI units, all their digits
-  std::string origin;   ///< "die.toml:14", "default" or "--set materials.steel.density"
-};
-
-/// Every key of a case that has a value, for run.json. Throws as read_case_text does.
-std::vector<ResolvedKey> resolved(const std::string& text, const std::string& name,
-                                  const std::vector<Override>& overrides = {});
 
 /// What a key means: kind, default, range, when it counts; of a table, its keys too. The key may be
 /// written as in the reference ("materials.*.density"), as in a case ("materials.steel.density") or by

@@ -225,6 +225,7 @@ void open_sides(const Section& wall, ProblemList& problems) {
 void what_is_measured(const Section& root, ProblemList& problems) {
   const Section& measures = root.table("measures");
   corners_in_order(measures.table("region"), problems);
+  for (const Section& part : measures.group("parts")) corners_in_order(part, problems);
   const std::vector<std::size_t> inside = walls_with_inside(root);
   const auto& walls = root.group("walls");
   if (const Setting* die = measures.find("die")) {

@@ -97,4 +97,49 @@ std::variant<Value, SyntaxError> parse_toml(std::string_view text) {
   }
 }
 
+namespace {
+
+bool is_listed_tables(const Value& value) {
+  const auto is_table = [](const Value& item) { return item.kind == Value::Kind::table; };
+  return value.kind == Value::Kind::list && !value.items.empty() &&
+         std::all_of(value.items.begin(), value.items.end(), is_table);
+}
+
+// A list that makes a long line gets a line for each item: the guard refuses lines that no person writes.
+std::string written_list(const Value& list) {
+  std::string text = written_in_full(list);
+  constexpr std::size_t readable = 100;
+  if (list.kind != Value::Kind::list || text.size() <= readable) return text;
+  text = "[\n";
+  for (const Value& item : list.items) text += "  " + written_in_full(item) + ",\n";
+  return text + "]";
+}
+
+// Keys with values before tables, since what follows a header belongs to it.
+void append_table(const Value& table, const std::string& path, std::string& text) {
+  for (const Entry& entry : table.entries)
+    if (entry.value.kind != Value::Kind::table && !is_listed_tables(entry.value))
+      text += fmt::format("{} = {}\n", written_key(entry.key), written_list(entry.value));
+  for (const Entry& entry : table.entries) {
+    const std::string below = path.empty() ? written_key(entry.key) : path + "." + written_key(entry.key);
+    if (entry.value.kind == Value::Kind::table) {
+      text += fmt::format("\n[{}]\n", below);
+      append_table(entry.value, below, text);
+    } else if (is_listed_tables(entry.value)) {
+      for (const Value& item : entry.value.items) {
+        text += fmt::format("\n[[{}]]\n", below);
+        append_table(item, below, text);
+      }
+    }
+  }
+}
+
+}  // namespace
+
+std::string toml_text(const Value& table) {
+  std::string text;
+  append_table(table, "", text);
+  return text;
+}
+
 }  // namespace pulvis::case_file

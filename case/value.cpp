@@ -44,7 +44,7 @@ std::string quoted(const std::string& text) {
     if (c == '"' || c == '\\') result += '\\';
     if (c == '\n')
       result += "\\n";
-    else if (static_cast<unsigned char>(c) < 0x20)
+    else if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F)
       result += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
     else
       result += c;
@@ -83,7 +83,7 @@ void append(const Value& value, std::size_t room, std::string& text) {
     case Value::Kind::table: {
       text += "{";
       for (const Entry& entry : value.entries) {
-        text += fmt::format("{}{} = ", &entry == &value.entries.front() ? " " : ", ", entry.key);
+        text += fmt::format("{}{} = ", &entry == &value.entries.front() ? " " : ", ", written_key(entry.key));
         append(entry.value, room, text);
       }
       text += " }";
@@ -93,6 +93,19 @@ void append(const Value& value, std::size_t room, std::string& text) {
 }
 
 }  // namespace
+
+std::string written_key(const std::string& key) {
+  const auto bare = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
+  };
+  return !key.empty() && std::all_of(key.begin(), key.end(), bare) ? key : quoted(key);
+}
+
+std::string written_in_full(const Value& value) {
+  std::string text;
+  append(value, text.max_size(), text);
+  return text;
+}
 
 std::string written(const Value& value) {
   constexpr std::size_t room = 4000;  // bytes; a table of some hundred sizes still fits whole

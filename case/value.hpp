@@ -9,7 +9,7 @@ namespace pulvis::case_file {
 
 /// Where something is written: a place in the case file or in a `--set`.
 struct Place {
-  int source = 0;  ///< 0: the case file; k: the k-th override; see ProblemList
+  int source = 0;  ///< 0: the case file; then the files it extends, then the overrides; see ProblemList
   int line = 1;    ///< from 1
   int column = 1;  ///< from 1, in characters (code points)
   int length = 0;  ///< in characters, of the part on that line
@@ -45,5 +45,11 @@ std::string kind_with_article(Value::Kind kind);
 
 /// The value as one would write it in the file, shortened if it is very long.
 std::string written(const Value& value);
+
+/// The same at whatever length.
+std::string written_in_full(const Value& value);
+
+/// A key as one would write it in the file, in quotes where it needs them.
+std::string written_key(const std::string& key);
 
 }  // namespace pulvis::case_file

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <stdexcept>
 
 #include "engine/base/failure.hpp"
 #include "measures/clusters.hpp"
@@ -11,6 +12,12 @@
 
 namespace pulvis::measures {
 namespace {
+
+Box column_of(const FreeSurface& surface, std::size_t column, double height) {
+  const Division &first = surface.along_first, &second = surface.along_second;
+  const std::size_t i = column % first.count(), j = column / first.count();
+  return {{first.edge(i), second.edge(j), 0.0}, {first.edge(i + 1), second.edge(j + 1), height}};
+}
 
 void make_columns(FreeSurface& surface, const DieFrame& frame, double column_edge) {
   surface.along_first = Division(frame.size().x, column_edge);
@@ -20,28 +27,62 @@ void make_columns(FreeSurface& surface, const DieFrame& frame, double column_edg
 
   surface.heights.assign(count, 0.0);
   surface.areas.reserve(count);
-  for (std::size_t j = 0; j < surface.along_second.count(); ++j)
-    for (std::size_t i = 0; i < surface.along_first.count(); ++i) {
-      const Box column{{surface.along_first.edge(i), surface.along_second.edge(j), 0.0},
-                       {surface.along_first.edge(i + 1), surface.along_second.edge(j + 1), 0.0}};
-      surface.areas.push_back(frame.area_inside(column));
-    }
+  for (std::size_t column = 0; column < count; ++column)
+    surface.areas.push_back(frame.area_inside(column_of(surface, column, 0.0)));
 }
 
-/// Mean and roughness. At the side wall of a cylinder a column may be too thin to hold the centre of any
-/// sphere; its height, the floor, says nothing: columns with less than half inside are left out, like cells.
-void find_statistics(FreeSurface& surface) {
+/// Area of a column, 0 if it is left out. At the side wall of a cylinder a column may be too thin to hold the
+/// centre of any sphere; its height, the floor, says nothing: columns with less than half inside are left out,
+/// like cells.
+double weight_of(const FreeSurface& surface, std::size_t column) {
   const double half_a_column = 0.5 * (1.0 - 1e-9) * surface.along_first.part() * surface.along_second.part();
-  const std::vector<double>& heights = surface.heights;
-  const auto weight = [&](std::size_t i) {
-    return surface.areas[i] < half_a_column ? 0.0 : surface.areas[i];
+  return surface.areas[column] < half_a_column ? 0.0 : surface.areas[column];
+}
+
+/// Slopes of the plane of least squares, from the moments about the mean (Cramer's rule).
+void fit_plane(FreeSurface& surface, double area) {
+  const auto middle = [&](std::size_t column) {
+    const Box box = column_of(surface, column, 0.0);
+    return 0.5 * (box.min + box.max);
   };
+  const auto mean = [&](const auto& term) {
+    return pairwise_sum(surface.heights.size(),
+                        [&](std::size_t c) { return weight_of(surface, c) * term(c); }) /
+           area;
+  };
+  const double x0 = mean([&](std::size_t c) { return middle(c).x; });
+  const double y0 = mean([&](std::size_t c) { return middle(c).y; });
+  const auto x = [&](std::size_t c) { return middle(c).x - x0; };
+  const auto y = [&](std::size_t c) { return middle(c).y - y0; };
+  const auto h = [&](std::size_t c) { return surface.heights[c] - surface.mean; };
+  const double xx = mean([&](std::size_t c) { return x(c) * x(c); });
+  const double xy = mean([&](std::size_t c) { return x(c) * y(c); });
+  const double yy = mean([&](std::size_t c) { return y(c) * y(c); });
+  const double xh = mean([&](std::size_t c) { return x(c) * h(c); });
+  const double yh = mean([&](std::size_t c) { return y(c) * h(c); });
+  const bool wide = surface.along_first.count() > 1, deep = surface.along_second.count() > 1;
+  if (wide && deep) {
+    const double determinant = xx * yy - xy * xy;
+    surface.slope_first = (xh * yy - yh * xy) / determinant;
+    surface.slope_second = (yh * xx - xh * xy) / determinant;
+  } else if (wide) {
+    surface.slope_first = xh / xx;
+  } else if (deep) {
+    surface.slope_second = yh / yy;
+  }
+  surface.tilt = std::atan(std::hypot(surface.slope_first, surface.slope_second));
+}
+
+void find_statistics(FreeSurface& surface) {
+  const auto weight = [&](std::size_t i) { return weight_of(surface, i); };
+  const std::vector<double>& heights = surface.heights;
   const std::size_t count = heights.size();
   const double area = pairwise_sum(count, weight);
   surface.mean = pairwise_sum(count, [&](std::size_t i) { return weight(i) * heights[i]; }) / area;
   const double square_sum =
       pairwise_sum(count, [&](std::size_t i) { return weight(i) * square(heights[i] - surface.mean); });
   surface.roughness = std::sqrt(square_sum / area);
+  fit_plane(surface, area);
 }
 
 }  // namespace
@@ -67,6 +108,27 @@ FreeSurface free_surface(std::span<const Sphere> spheres, std::span<const Contac
   }
   find_statistics(surface);
   return surface;
+}
+
+double filled_volume(const FreeSurface& surface, const Container& container) {
+  const DieFrame frame(container);
+  check_surface(surface, frame);
+  const std::size_t count = surface.heights.size();
+  const auto capped = [&](std::size_t c) { return least(surface.heights[c], frame.size().z); };
+  const auto weight = [&](std::size_t c) { return weight_of(surface, c); };
+  const double mean =
+      pairwise_sum(count, [&](std::size_t c) { return weight(c) * capped(c); }) / pairwise_sum(count, weight);
+  return pairwise_sum(count, [&](std::size_t c) {
+    return frame.volume_inside(column_of(surface, c, weight(c) > 0.0 ? capped(c) : mean));
+  });
+}
+
+void check_surface(const FreeSurface& surface, const DieFrame& frame) {
+  const Division &first = surface.along_first, &second = surface.along_second;
+  const bool fits = surface.heights.size() == first.count() * second.count() && !surface.heights.empty() &&
+                    first.edge(first.count()) == frame.size().x &&
+                    second.edge(second.count()) == frame.size().y;
+  if (!fits) throw std::invalid_argument("the free surface is that of another die");
 }
 
 }  // namespace pulvis::measures

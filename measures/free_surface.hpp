@@ -18,6 +18,8 @@ struct FreeSurface {
   std::size_t cluster_size = 0;        ///< spheres in the largest contact cluster of the die
   double mean = 0.0;                   ///< m; mean height, weighted by area; 0 for an empty die
   double roughness = 0.0;  ///< m; standard deviation of height, weighted by area; 0 for an empty die
+  double slope_first = 0.0, slope_second = 0.0;  ///< -; of the plane that fits best, rising along the axes
+  double tilt = 0.0;                             ///< rad; of that plane against the die's floor
 
   double height(std::size_t first, std::size_t second) const {
     return heights[first + second * along_first.count()];
@@ -38,9 +40,21 @@ constexpr double column_diameters = 2.0;
 /// Mean and roughness are weighted by the columns' areas inside the die; columns of which less than half is
 /// inside (there are such only in a cylinder) are left out of them.
 ///
+/// The plane h = c + s_1 x + s_2 y through the middles (x, y) of the same columns has the least
+/// sum A (height - h)^2, A being their areas; tilt = atan(sqrt(s_1^2 + s_2^2)). A direction along which there
+/// is one column only has slope 0.
+///
 /// Of clusters of the same size the one with the sphere first in the list wins: for a result that does not
 /// depend on storage, give the spheres in the order of their ids. Give no periodic images.
 FreeSurface free_surface(std::span<const Sphere> spheres, std::span<const Contact> contacts,
                          const Container& container, double column_edge);
+
+/// Throws std::invalid_argument if the surface has not the columns of this die.
+void check_surface(const FreeSurface& surface, const DieFrame& frame);
+
+/// Volume inside the die below the free surface, m^3: the sum over the columns of what lies inside the die up
+/// to min(height, height of the die). Columns of which less than half is inside, whose height says nothing,
+/// are as high as the others are in the mean. std::invalid_argument if the surface is that of another die.
+double filled_volume(const FreeSurface& surface, const Container& container);
 
 }  // namespace pulvis::measures

@@ -9,6 +9,12 @@ inline Vec3 pull_at(const Case& c, double time) {
   return c.body_force.at(time).at(0.5 * (c.domain.min + c.domain.max));
 }
 
+/// Against the pull in the middle of the domain, a unit vector; z where there is none.
+inline Vec3 up_at(const Case& c, double time) {
+  const Vec3 pull = pull_at(c, time);
+  return norm(pull) > 0.0 ? -pull / norm(pull) : Vec3{0, 0, 1};
+}
+
 /// Bound on the acceleration of what falls anywhere in the domain at any time, in the direction it has in the
 /// middle of the domain.
 inline Vec3 strongest_pull(const Case& c) {

@@ -5,7 +5,6 @@
 
 #include <map>
 
-#include "case/reader.hpp"
 #include "output/checksum.hpp"
 
 namespace pulvis {
@@ -23,10 +22,10 @@ std::map<std::string, std::string> files_of(const Case& c) {
 
 }  // namespace
 
-std::vector<CaseKey> deciding_keys(const Case& c, const std::vector<Override>& overrides) {
+std::vector<CaseKey> deciding_keys(const Case& c) {
   const auto files = files_of(c);
   std::vector<CaseKey> keys;
-  for (const ResolvedKey& k : resolved(c.text, c.file, overrides)) {
+  for (const ResolvedKey& k : c.keys) {
     if (k.key == "title" || k.key.starts_with("output.")) continue;
     const auto file = files.find(k.key);
     keys.push_back({k.key, k.value, file == files.end() ? k.meaning : checksum_of_file(file->second)});

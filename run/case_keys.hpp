@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "case/case.hpp"
-#include "case/overrides.hpp"
 
 namespace pulvis {
 
@@ -18,7 +17,7 @@ struct CaseKey {
 /// All keys of a case except those that a run may be resumed with changed: `title` and those of `[output]`,
 /// which say only how often something is written. Throws Failure(bad_input) if a file that the case names
 /// cannot be read.
-std::vector<CaseKey> deciding_keys(const Case& c, const std::vector<Override>& overrides);
+std::vector<CaseKey> deciding_keys(const Case& c);
 
 /// A line for each key that is not the same: "powders.mo.coarse_graining was 100, is 50".
 std::vector<std::string> differences(const std::vector<CaseKey>& before, const std::vector<CaseKey>& now);

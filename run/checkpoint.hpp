@@ -7,6 +7,7 @@
 #include "engine/simulation/state.hpp"
 #include "output/run_folder.hpp"
 #include "run/case_keys.hpp"
+#include "run/flow_meters.hpp"
 #include "run/results.hpp"
 #include "run/run_summary.hpp"
 #include "run/wall_loads.hpp"
@@ -16,13 +17,14 @@ namespace pulvis {
 /// Everything that a run between two steps is, besides its case: what is needed to go on as if it had never
 /// stopped. Its form in a file: docs/checkpoint-format.md.
 struct Checkpoint {
-  static constexpr std::uint32_t version = 1;  ///< of the form in a file
+  static constexpr std::uint32_t version = 2;  ///< of the form in a file
 
   std::string program = PULVIS_VERSION;  ///< version of the program that wrote it
   double time_step = 0.0;                ///< s
   std::vector<CaseKey> keys;             ///< of the case
   State state;
   WallRecord loads;
+  std::vector<FlowRecord> flows;
   RunSummary summary;  ///< without exit and reason
   WrittenResults results;
 };

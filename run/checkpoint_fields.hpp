@@ -28,6 +28,18 @@ void fields(Archive& archive, WallRecord& r) {
   archive(r.steps_per_window, r.steps_in_window, r.cycles, r.current, r.last);
 }
 template <class Archive>
+void fields(Archive& archive, measures::Flow& f) {
+  archive(f.forward_mass, f.backward_mass, f.forward_count, f.backward_count);
+}
+template <class Archive>
+void fields(Archive& archive, measures::FlowMeter::State& s) {
+  archive(s.flow, s.ids, s.places);
+}
+template <class Archive>
+void fields(Archive& archive, FlowRecord& r) {
+  archive(r.meter, r.phase_mass, r.line_mass, r.phase_count, r.phase_start, r.line_start);
+}
+template <class Archive>
 void fields(Archive& archive, Measure& m) {
   archive(m.name, m.value, m.unit, m.window);
 }
@@ -49,9 +61,12 @@ void fields(Archive& archive, VtkSeries::Frame& f) {
   archive(f.time, f.file);
 }
 template <class Archive>
+void fields(Archive& archive, WrittenFrames& f) {
+  archive(f.parcels, f.walls, f.porosity, f.fields, f.count, f.last);
+}
+template <class Archive>
 void fields(Archive& archive, WrittenResults& r) {
-  archive(r.log, r.wall_log, r.parcels, r.walls, r.porosity, r.files, r.frames, r.last_frame,
-          r.largest_overlap);
+  archive(r.log, r.wall_log, r.measures, r.frames, r.files, r.largest_overlap);
 }
 
 }  // namespace pulvis

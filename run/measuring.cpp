@@ -1,122 +1,127 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "run/measuring.hpp"
 
-#include <algorithm>
-#include <numeric>
-
-#include "measures/coordination.hpp"
-#include "measures/fill.hpp"
+#include "measures/continuum.hpp"
 #include "measures/periodic_images.hpp"
 #include "run/species.hpp"
 
 namespace pulvis {
 namespace {
 
-measures::Container container_of(const Region& region, const Vec3& moved, const Vec3& gravity) {
-  measures::Container m;
-  m.shape = region.shape == Region::Shape::box ? measures::Container::Shape::box
-                                               : measures::Container::Shape::cylinder;
-  m.min = region.min + moved;
-  m.max = region.max + moved;
-  m.base = region.base + moved;
-  m.axis = region.axis;
-  m.radius = region.radius;
-  m.height = region.height;
-  m.up = -gravity;
-  return m;
-}
-
-const Pose& pose_of_die(const Case& c, const Simulation& simulation) {
-  const std::string& body = c.walls[*c.measures.die].body;
-  const auto& bodies = simulation.model().walls.bodies;
-  const auto at = std::find_if(bodies.begin(), bodies.end(), [&](const Body& b) { return b.name == body; });
-  return simulation.pose(static_cast<std::size_t>(at - bodies.begin()));
-}
-
-bool has_turned(const Pose& pose) { return !(pose.now == Rigid::translation(pose.now.shift)); }
-
 /// Mean parcel diameter of the powder the case describes: fixed, so that grids do not change while filling.
 double mean_parcel_diameter(const Case& c) { return SizeSampler(parcel_sizes(c.powders.front())).mean(); }
 
+measures::FreeSurface surface_of(const Case& c, const DieSight& sight) {
+  return measures::free_surface(sight.sight.spheres, sight.sight.contacts, sight.container,
+                                c.measures.column_diameters * mean_parcel_diameter(c));
+}
+
+measures::PeriodicImages solid_of(const Simulation& simulation, const DieSight& sight) {
+  const Box& domain = simulation.model().domain;
+  return measures::periodic_images(sight.sight.spheres, {domain.min, domain.max},
+                                   {domain.periodic[0], domain.periodic[1], domain.periodic[2]});
+}
+
+measures::PorosityField porosity_of(const Case& c, std::span<const measures::Sphere> solid,
+                                    const DieSight& sight, const measures::FreeSurface& surface) {
+  return measures::porosity(solid, surface, sight.container,
+                            c.measures.cell_diameters * mean_parcel_diameter(c));
+}
+
+std::vector<measures::Part> parts_of(const Case& c, const measures::Container& container) {
+  const auto halves = measures::halves(container);
+  std::vector<measures::Part> parts(halves.begin(), halves.end());
+  for (const MeasuredPart& part : c.measures.parts) parts.push_back({part.name, {part.min, part.max}});
+  return parts;
+}
+
+std::vector<PartSurvey> survey_parts(const Case& c, const DieSight& sight, const DieSurvey& die,
+                                     const measures::PeriodicImages& solid) {
+  std::vector<double> masses;
+  for (const std::uint32_t of : solid.original) masses.push_back(sight.sight.masses[of]);
+  std::vector<PartSurvey> list;
+  for (measures::Part& part : parts_of(c, sight.container)) {
+    const auto inside = measures::centres_in_part(sight.sight.spheres, sight.container, part.box);
+    list.push_back(
+        {part,
+         measures::part_porosity(solid.spheres, masses, die.surface, sight.container, die.porosity, part.box),
+         measures::coordination(inside, sight.sight.contacts, sight.sight.wall_contacts).mean});
+  }
+  return list;
+}
+
+std::optional<measures::Stress> stress_in(const DieSight& sight, const DieSurvey& die) {
+  if (!(die.fill.volume > 0.0)) return {};
+  std::vector<std::uint8_t> in_die;
+  in_die.reserve(sight.particles.size());
+  for (const measures::Particle& p : sight.particles)
+    in_die.push_back(measures::is_inside(sight.container, p.position) ? 1 : 0);
+  return measures::stress(sight.particles, in_die, sight.forces.pairs, sight.forces.walls, die.fill.volume);
+}
+
 }  // namespace
 
-Sight look_at(const Simulation& simulation) {
-  const auto& body = simulation.state().parcels.body;
-  Sight s;
-  s.index.resize(body.size());
-  std::iota(s.index.begin(), s.index.end(), 0u);
-  std::sort(s.index.begin(), s.index.end(),
-            [&](std::uint32_t a, std::uint32_t b) { return body[a].id < body[b].id; });
-  std::vector<std::uint32_t> place(body.size());
-  s.spheres.reserve(body.size());
-  s.masses.reserve(body.size());
-  s.bodies.reserve(body.size());
-  for (std::uint32_t k = 0; k < s.index.size(); ++k) {
-    const Parcel& p = body[s.index[k]];
-    place[s.index[k]] = k;
-    s.spheres.push_back({p.position, p.radius});
-    s.masses.push_back(p.mass);
-    s.bodies.push_back({p.position, p.velocity, p.spin, p.mass, inertia(p)});
-  }
-  const NearPairs& pairs = simulation.pairs();
-  for (std::size_t slot = 0; slot < pairs.slots(); ++slot)
-    if (pairs.touching[slot]) s.contacts.push_back({place[pairs.first[slot]], place[pairs.second[slot]]});
-  const NearWalls& walls = simulation.walls();
-  for (std::size_t slot = 0; slot < walls.slots(); ++slot)
-    if (walls.touching[slot]) s.wall_contacts.push_back(place[walls.parcel[slot]]);
-  return s;
+double field_support(const Case& c) { return measures::support_diameters * mean_parcel_diameter(c); }
+
+std::optional<measures::PorosityField> porosity_of_die(const Case& c, const Simulation& simulation) {
+  const auto sight = look_into_die(c, simulation);
+  if (!sight) return {};
+  return porosity_of(c, solid_of(simulation, *sight).spheres, *sight, surface_of(c, *sight));
 }
 
-std::optional<measures::Container> measured_container(const Case& c, const Simulation& simulation) {
-  const Vec3 pull = simulation.field().at(0.5 * (c.domain.min + c.domain.max));
-  if (c.measures.region) return container_of(*c.measures.region, {}, pull);
-  if (!c.measures.die) return {};
-  const Pose& pose = pose_of_die(c, simulation);
-  const Region& region = c.walls[*c.measures.die].region;
-  if (!has_turned(pose)) return container_of(region, pose.now.shift, pull);
-  return container_of(region, {}, pose.now.turn_back(pull));  // its own frame
+DieSurvey survey_die(const Case& c, const Simulation& simulation, const DieSight& sight) {
+  const Sight& seen = sight.sight;
+  const measures::PeriodicImages solid = solid_of(simulation, sight);
+  DieSurvey die;
+  die.container = sight.container;
+  die.surface = surface_of(c, sight);
+  die.porosity = porosity_of(c, solid.spheres, sight, die.surface);
+  die.profiles = measures::porosity_profiles(die.porosity);
+  die.histogram = measures::porosity_histogram(die.porosity);
+  die.inside = measures::fill_inside(seen.spheres, seen.masses, sight.container);
+  die.fill = measures::fill_state(seen.spheres, seen.masses, die.surface, sight.container);
+  die.coordination = measures::coordination(seen.spheres, seen.contacts, seen.wall_contacts, sight.container);
+  die.parts = survey_parts(c, sight, die, solid);
+  die.forces = measures::contact_forces(normal_forces(sight.forces));
+  die.stress = stress_in(sight, die);
+  die.layers = measures::layers(sight.particles, sight.forces.pairs, sight.forces.walls, sight.container, 2,
+                                measures::layer_diameters * mean_parcel_diameter(c));
+  die.segregation = measures::segregation(seen.spheres, seen.masses, sight.container,
+                                          measures::segregation_cell_diameters * mean_parcel_diameter(c));
+  return die;
 }
 
-Sight look_at_die(const Case& c, const Simulation& simulation) {
-  Sight sight = look_at(simulation);
-  if (!c.measures.die || !has_turned(pose_of_die(c, simulation))) return sight;
-  for (measures::Sphere& sphere : sight.spheres)
-    sphere.centre = pose_of_die(c, simulation).now.back(sphere.centre);
-  return sight;
-}
-
-Measurement measure(const Case& c, const Simulation& simulation) {
-  const Sight sight = look_at_die(c, simulation);
-  Measurement m;
-  const std::string window = "instantaneous";
+std::vector<Measure> measures_of(const Simulation& simulation, const std::optional<DieSurvey>& die) {
+  std::vector<Measure> list;
   const auto add = [&](const char* name, std::optional<double> value, const char* unit) {
-    m.list.push_back({name, value, unit, window});
+    list.push_back({name, value, unit, "instantaneous"});
   };
-  if (const auto die = measured_container(c, simulation)) {
-    const double diameter = mean_parcel_diameter(c);
-    const auto surface =
-        measures::free_surface(sight.spheres, sight.contacts, *die, c.measures.column_diameters * diameter);
-    const Box& domain = simulation.model().domain;
-    const auto solid =
-        measures::with_periodic_images(sight.spheres, {domain.min, domain.max},
-                                       {domain.periodic[0], domain.periodic[1], domain.periodic[2]});
-    m.porosity = measures::porosity(solid, surface, *die, c.measures.cell_diameters * diameter);
-    const auto fill = measures::fill_inside(sight.spheres, sight.masses, *die);
-    const auto coordination =
-        measures::coordination(sight.spheres, sight.contacts, sight.wall_contacts, *die);
-    add("fill_mass", fill.mass, "kg");
-    add("fill_count", static_cast<double>(fill.count), "1");
-    add("porosity_mean", m.porosity->mean, "1");
-    add("porosity_std", m.porosity->standard_deviation, "1");
-    add("coordination_mean", coordination.mean, "1");
-    add("coordination_walls_mean", coordination.mean_walls, "1");
-    add("free_surface_height_mean", surface.mean, "m");
+  if (die) {
+    add("fill_mass", die->inside.mass, "kg");
+    add("fill_count", static_cast<double>(die->inside.count), "1");
+    add("fill_ratio", die->fill.ratio, "1");
+    add("apparent_density", die->fill.density, "kg/m^3");
+    add("porosity_mean", die->porosity.mean, "1");
+    add("porosity_std", die->porosity.standard_deviation, "1");
+    add("porosity_lower_half", die->parts[0].porosity.porosity, "1");
+    add("porosity_upper_half", die->parts[1].porosity.porosity, "1");
+    add("coordination_mean", die->coordination.mean, "1");
+    add("coordination_walls_mean", die->coordination.mean_walls, "1");
+    add("coordination_without_rattlers", die->coordination.mean_without_rattlers, "1");
+    add("rattler_share", die->coordination.rattler_share, "1");
+    add("free_surface_height_mean", die->surface.mean, "m");
+    add("free_surface_roughness", die->surface.roughness, "m");
+    add("free_surface_tilt", die->surface.tilt, "rad");
+    add("contact_force_mean", die->forces.mean, "N");
+    add("segregation_index", die->segregation.index, "1");
+    add("segregation_intensity", die->segregation.intensity, "1");
+    add("pressure_mean", die->stress ? std::optional(die->stress->pressure()) : std::nullopt, "Pa");
   }
-  const auto energies = measures::energies(sight.bodies, simulation.field().gravity);
+  const auto energies = measures::energies(look_at(simulation).bodies, simulation.field().gravity);
   add("kinetic_energy_translational", energies.translational, "J");
   add("kinetic_energy_rotational", energies.rotational, "J");
   add("potential_energy", energies.potential, "J");
-  return m;
+  return list;
 }
 
 }  // namespace pulvis

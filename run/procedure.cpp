@@ -96,9 +96,8 @@ bool Procedure::criterion_met(const Phase& p) const {
                        [&](std::size_t s) { return simulation_.state().sources[s].done; });
   if (steps % steps_between_questions != 0) return false;
   if (p.until == Phase::Until::mass) {
-    const auto die = measured_container(case_, simulation_);
-    const Sight sight = look_at_die(case_, simulation_);
-    return die && measures::fill_inside(sight.spheres, sight.masses, *die).mass >= p.mass;
+    const auto fill = fill_of_die(case_, simulation_);
+    return fill && fill->mass >= p.mass;
   }
   if (p.at_least == 0.0 && seconds < time_to_fall_) return false;
   const double limit = p.kinetic_energy.value_or(default_rest_energy_);

@@ -96,7 +96,7 @@ Exit run_case(const RunRequest& request) {
   const double latest = seconds_now() + seconds_of(request.max_wall);
   const Case c = read_case(request.case_file, request.overrides);
   Assembly assembly = assemble(c);
-  const std::vector<CaseKey> keys = deciding_keys(c, request.overrides);
+  const std::vector<CaseKey> keys = deciding_keys(c);
   const RunFolder folder = open_results(c, request.out,
                                         request.resume  ? UsedFolder::resume
                                         : request.force ? UsedFolder::replace_results
@@ -112,7 +112,7 @@ Exit run_case(const RunRequest& request) {
   }
   Results results(c, assembly.time_step, assembly.model.walls, folder,
                   start ? start->results : WrittenResults{});
-  results.write_case(request.overrides);
+  results.write_case();
   write_not_ended(results, start ? start->summary : RunSummary{});
   if (!start) start = fresh_start(c, assembly);
   start->keys = keys;

@@ -27,8 +27,14 @@ double hundredth_of_longest_phase(const Case& c) {
   return longest / 100.0;
 }
 
-double log_interval(const Case& c) {
-  return c.output.log_interval > 0.0 ? c.output.log_interval : hundredth_of_longest_phase(c);
+double or_default(double interval, const Case& c) {
+  return interval > 0.0 ? interval : hundredth_of_longest_phase(c);
+}
+
+std::optional<DieSurvey> survey(const Case& c, const Simulation& simulation) {
+  const auto sight = look_into_die(c, simulation);
+  if (!sight) return {};
+  return survey_die(c, simulation, *sight);
 }
 
 Simulation simulation_of(const Case& c, Model&& model, State&& state, int threads) {
@@ -54,11 +60,15 @@ Runner::Runner(const Case& c, Model&& model, Checkpoint start, Results& results,
       procedure_(c, simulation_),
       progress_(ProgressOptions::for_stderr()),
       loads_(c, simulation_, hundredth_of_longest_phase(c)),
+      flows_(c, simulation_),
       frame_every_(every(c.output.interval)),
-      log_every_(every(log_interval(c))),
+      log_every_(every(or_default(c.output.log_interval, c))),
+      measure_every_(every(or_default(c.measures.interval, c))),
       saved_(seconds_now()),
       booked_(saved_) {
-  if (checkpoint_.summary.resumes > 0) loads_.go_on_from(std::move(checkpoint_.loads));
+  if (checkpoint_.summary.resumes == 0) return;
+  loads_.go_on_from(std::move(checkpoint_.loads));
+  flows_.go_on_from(std::move(checkpoint_.flows));
 }
 
 std::uint64_t Runner::every(double interval) const {
@@ -91,21 +101,40 @@ void Runner::check_escapes() const {
                   e.id, e.through, text_of(e)));
 }
 
+std::vector<Measure> Runner::all_measures(const std::optional<DieSurvey>& die) const {
+  std::vector<Measure> list = measures_of(simulation_, die);
+  for (Measure& of_walls : wall_measures(case_, loads_, simulation_)) list.push_back(std::move(of_walls));
+  return list;
+}
+
+void Runner::log_measures(const std::string& phase, std::vector<Measure> list) {
+  for (const FlowSince& flow : flows_.since_last_line(simulation_))
+    list.push_back({"flow_" + flow.surface, flow.rate, "kg/s", "since the line before"});
+  results_.log_measures(simulation_.time(), phase, list);
+}
+
 void Runner::look(bool phase_ends, const std::string& phase) {
   const std::uint64_t step = simulation_.state().step;
   if (phase_ends || (log_every_ && step % log_every_ == 0)) results_.log(simulation_, phase);
   if (phase_ends) return;
+  if (measure_every_ && step % measure_every_ == 0)
+    log_measures(phase, all_measures(survey(case_, simulation_)));
   if (frame_every_ && step % frame_every_ == 0)
-    results_.frame(simulation_, loads_, measure(case_, simulation_).porosity);
+    results_.frame(simulation_, loads_, porosity_of_die(case_, simulation_));
 }
 
 void Runner::close_phase(const std::string& ended_by, bool run_ends) {
   const Phase& phase = procedure_.phase();
-  Measurement m = measure(case_, simulation_);
-  for (Measure& of_walls : wall_measures(case_, loads_, simulation_)) m.list.push_back(std::move(of_walls));
-  summary().phases.push_back({phase.name, procedure_.phase_start(), simulation_.time(), ended_by, m.list,
-                              wall_forces(loads_, simulation_)});
-  results_.frame(simulation_, loads_, m.porosity);
+  const std::optional<DieSight> sight = look_into_die(case_, simulation_);
+  const auto die = sight ? std::optional(survey_die(case_, simulation_, *sight)) : std::nullopt;
+  const std::vector<Measure> list = all_measures(die);
+  const double time = simulation_.time();
+  summary().phases.push_back(
+      {phase.name, procedure_.phase_start(), time, ended_by, list, wall_forces(loads_, simulation_)});
+  log_measures(phase.name, list);
+  results_.write_measures(time, phase.name, list, die, flows_.in_phase(simulation_));
+  results_.frame(simulation_, loads_, die ? std::optional(die->porosity) : std::nullopt);
+  if (sight) results_.fields(time, *sight, die->porosity, field_support(case_));
   results_.write_pressures(loads_, simulation_, phase.name);
   for (const std::size_t s : phase.sources) {
     const SourceState& source = simulation_.state().sources[s];
@@ -115,7 +144,7 @@ void Runner::close_phase(const std::string& ended_by, bool run_ends) {
   }
   if (case_.output.picture) {
     const bool last_phase = simulation_.state().progress.phase + 1 == case_.phases.size();
-    results_.picture(simulation_, phase.name, last_phase || run_ends);
+    results_.pictures(simulation_, phase.name, last_phase || run_ends);
   }
 }
 
@@ -134,16 +163,19 @@ void Runner::save() {
   checkpoint_.time_step = simulation_.model().dt;
   checkpoint_.state = simulation_.snapshot();
   checkpoint_.loads = loads_.record();
+  checkpoint_.flows = flows_.record();
   checkpoint_.results = results_.written();
   checkpoints_.write(checkpoint_);
   checkpoint_.state = {};
   checkpoint_.loads = {};
+  checkpoint_.flows = {};
   book(summary().looking_time);
   saved_ = booked_;
 }
 
 void Runner::begin() {
   loads_.begin_phase(procedure_.phase(), simulation_);
+  flows_.begin_phase(simulation_);
   results_.log(simulation_, procedure_.phase().name);
   results_.frame(simulation_, loads_, {});
   save();
@@ -152,6 +184,7 @@ void Runner::begin() {
 void Runner::step() {
   simulation_.step();
   if (loads_.after_step(simulation_)) results_.log_walls(loads_, simulation_, procedure_.phase().name);
+  flows_.after_step(simulation_);
   summary().particle_steps += simulation_.state().parcels.size();
   check_escapes();
 }
@@ -159,7 +192,10 @@ void Runner::step() {
 void Runner::end_phase(const std::string& ended_by) {
   close_phase(ended_by, false);
   procedure_.next_phase();
-  if (!procedure_.finished()) loads_.begin_phase(procedure_.phase(), simulation_);
+  if (!procedure_.finished()) {
+    loads_.begin_phase(procedure_.phase(), simulation_);
+    flows_.begin_phase(simulation_);
+  }
   save();
 }
 

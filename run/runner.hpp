@@ -38,6 +38,8 @@ class Runner {
   void step();
   void end_phase(const std::string& ended_by);
   void look(bool phase_ends, const std::string& phase);
+  std::vector<Measure> all_measures(const std::optional<DieSurvey>& die) const;
+  void log_measures(const std::string& phase, std::vector<Measure> list);
   void close_phase(const std::string& ended_by, bool run_ends);
   bool stops(double latest);
   void save();
@@ -54,7 +56,8 @@ class Runner {
   Procedure procedure_;
   Progress progress_;
   WallLoads loads_;
-  std::uint64_t frame_every_, log_every_;
+  FlowMeters flows_;
+  std::uint64_t frame_every_, log_every_, measure_every_;
   double saved_, booked_;  ///< s on the clock: last saved; all time up to here is accounted for
 };
 

@@ -54,7 +54,8 @@ TEST(Documents, SchemaHoldsEveryKey) {
     }
     EXPECT_EQ(at->at("description"), key.help) << key.pattern;
   }
-  EXPECT_EQ(schema.at("required"), (nlohmann::json{"domain", "materials", "powders", "sources", "phases"}));
+  EXPECT_EQ(schema.at("then").at("required"),
+            (nlohmann::json{"domain", "materials", "powders", "sources", "phases"}));
 }
 
 }  // namespace

@@ -203,7 +203,7 @@ TEST(CaseReader, ReadsAFileAndSaysWhyItCannot) {
 }
 
 TEST(CaseReader, TellsWhereEachValueComesFrom) {
-  const auto keys = resolved(minimal_case, "die.toml", {{"powders.mo.coarse_graining", "50"}});
+  const auto keys = read_case_text(minimal_case, "die.toml", {{"powders.mo.coarse_graining", "50"}}).keys;
   const auto find = [&](const std::string& key) {
     const auto found =
         std::find_if(keys.begin(), keys.end(), [&](const ResolvedKey& k) { return k.key == key; });

@@ -57,11 +57,44 @@ TEST(Coordination, IsThatOfTheSpheresInTheDie) {
   EXPECT_EQ(result.histogram, (std::vector<std::size_t>{0, 1, 1}));
 }
 
+TEST(Coordination, CallsSpheresWithFewerThanFourContactsRattlers) {
+  // A free cubic block of 5 along each edge: its 8 corners have three contacts.
+  const auto [spheres, contacts] = packings::simple_cubic(5, 1.0);
+  const Coordination free = coordination(spheres, contacts, {}, everywhere);
+  EXPECT_EQ(free.rattlers, 8u);
+  EXPECT_DOUBLE_EQ(free.rattler_share.value(), 8.0 / 125);
+  EXPECT_DOUBLE_EQ(free.mean_without_rattlers.value(), (36 * 4 + 54 * 5 + 27 * 6) / 117.0);
+
+  std::vector<std::uint32_t> floor;  // each sphere of the lowest layer also lies on the floor
+  for (std::uint32_t i = 0; i < 25; ++i) floor.push_back(i);
+  const Coordination on_floor = coordination(spheres, contacts, floor, everywhere);
+  EXPECT_EQ(on_floor.rattlers, 4u);
+  EXPECT_DOUBLE_EQ(on_floor.mean_without_rattlers.value(), (4 * 4 + 36 * 4 + 54 * 5 + 27 * 6 + 21) / 121.0);
+}
+
+TEST(Coordination, OfRattlersOnlyHasNoMeanWithoutThem) {
+  const std::vector<Sphere> pair{{{0, 0, 0}, 1}, {{2, 0, 0}, 1}};
+  const std::vector<Contact> contacts{{0, 1}};
+  const Coordination result = coordination(pair, contacts, {}, everywhere);
+  EXPECT_EQ(result.rattler_share, 1.0);
+  EXPECT_FALSE(result.mean_without_rattlers.has_value());
+}
+
+TEST(Coordination, CanBeAskedOfAnyChoiceOfSpheres) {
+  const auto [spheres, contacts] = packings::simple_cubic(5, 1.0);
+  std::vector<std::uint8_t> lowest(125, 0);
+  for (std::size_t i = 0; i < 25; ++i) lowest[i] = 1;
+  const Coordination result = coordination(lowest, contacts, {});
+  EXPECT_EQ(result.spheres, 25u);
+  EXPECT_DOUBLE_EQ(result.mean.value(), (4 * 3 + 12 * 4 + 9 * 5) / 25.0);
+}
+
 TEST(Coordination, OfNothingHasNoMean) {
   const Coordination result = coordination({}, {}, {}, everywhere);
   EXPECT_EQ(result.spheres, 0u);
   EXPECT_FALSE(result.mean.has_value());
   EXPECT_FALSE(result.mean_walls.has_value());
+  EXPECT_FALSE(result.rattler_share.has_value());
   EXPECT_TRUE(result.histogram.empty());
 }
 

@@ -68,6 +68,58 @@ TEST(FreeSurface, OfATiltedSheetFollowsItsPlane) {
   EXPECT_NEAR(surface.roughness, std::sqrt(0.6 * 0.6 * 1.25 + 0.2 * 0.2 * 0.25), 1e-12);
 }
 
+TEST(FreeSurface, KnowsSlopesAndTiltOfAStaircaseAndOfASheet) {
+  const auto [spheres, contacts] = staircase();
+  const FreeSurface stairs = free_surface(spheres, contacts, die, 1.0);
+  EXPECT_NEAR(stairs.slope_first, 1.0, 1e-12);
+  EXPECT_NEAR(stairs.slope_second, 0.0, 1e-12);
+  EXPECT_NEAR(stairs.tilt, std::numbers::pi / 4, 1e-12);
+
+  std::vector<Sphere> row;
+  std::vector<Contact> joined;
+  for (std::uint32_t i = 0; i < 32; ++i) {  // one in the middle of each column
+    const double x = 0.5 + i % 8, y = 0.5 + i / 8;
+    row.push_back({{x, y, 2 - 0.25 * x + 0.125 * y}, 0.5});
+    if (i > 0) joined.push_back({i - 1, i});
+  }
+  const FreeSurface sheet = free_surface(row, joined, die, 1.0);
+  EXPECT_NEAR(sheet.slope_first, -0.25, 1e-12);
+  EXPECT_NEAR(sheet.slope_second, 0.125, 1e-12);
+  EXPECT_NEAR(sheet.tilt, std::atan(std::sqrt(5.0) / 8), 1e-12);
+}
+
+TEST(FreeSurface, HasNoSlopeAlongAnAxisWithOneColumn) {
+  const auto [spheres, contacts] = staircase();
+  const FreeSurface row = free_surface(spheres, contacts, {.max = {8, 4, 10}}, 4.0);  // two columns
+  ASSERT_EQ(row.heights, (std::vector<double>{4, 8}));
+  EXPECT_DOUBLE_EQ(row.slope_first, 1.0);
+  EXPECT_EQ(row.slope_second, 0.0);
+  const FreeSurface one = free_surface(spheres, contacts, die, 100.0);
+  EXPECT_EQ(one.tilt, 0.0);
+  EXPECT_EQ(free_surface({}, {}, die, 1.0).tilt, 0.0);
+}
+
+TEST(FilledVolume, IsThatUnderTheStairsAndEndsAtTheDiesTop) {
+  const auto [spheres, contacts] = staircase();
+  const FreeSurface surface = free_surface(spheres, contacts, die, 1.0);
+  EXPECT_NEAR(filled_volume(surface, die), 4.0 * 36, 1e-12);
+  const Container low{.max = {8, 4, 3}};
+  EXPECT_NEAR(filled_volume(surface, low), 4.0 * (1 + 2 + 6 * 3), 1e-12);
+  EXPECT_EQ(filled_volume(free_surface({}, {}, die, 1.0), die), 0.0);
+  EXPECT_THROW(filled_volume(surface, {.max = {7, 4, 10}}), std::invalid_argument);
+  EXPECT_THROW(filled_volume(FreeSurface{}, die), std::invalid_argument);
+}
+
+TEST(FilledVolume, OfAFullCylinderIsItsVolumeThoughItsThinColumnsKnowNoHeight) {
+  const Container round{.shape = Container::Shape::cylinder, .radius = 2, .height = 5};
+  FreeSurface surface = free_surface({}, {}, round, 1.0);
+  for (std::size_t c = 0; c < surface.heights.size(); ++c)
+    surface.heights[c] = surface.areas[c] < 0.5 ? 0.0 : 6.0;
+  EXPECT_NEAR(filled_volume(surface, round), volume(round), 1e-12);
+  for (double& height : surface.heights) height = std::min(height, 2.0);
+  EXPECT_NEAR(filled_volume(surface, round), 0.4 * volume(round), 1e-12);
+}
+
 TEST(FreeSurface, IgnoresWhatFliesAndClumpsApartFromTheBed) {
   auto [spheres, contacts] = staircase();
   const FreeSurface before = free_surface(spheres, contacts, die, 1.0);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <random>
@@ -65,5 +66,19 @@ class Uniform {
  private:
   std::mt19937_64 engine_;
 };
+
+/// Equal spheres that do not overlap, wholly inside a cube of edge 1 from the origin: each is put anywhere
+/// until it touches none of those before.
+inline std::vector<Sphere> random_apart(std::size_t count, double radius, std::uint64_t seed) {
+  Uniform uniform(seed);
+  std::vector<Sphere> spheres;
+  while (spheres.size() < count) {
+    const auto place = [&] { return uniform(radius, 1.0 - radius); };
+    const Vec3 centre{place(), place(), place()};
+    const auto meets = [&](const Sphere& other) { return norm(centre - other.centre) < 2.0 * radius; };
+    if (std::none_of(spheres.begin(), spheres.end(), meets)) spheres.push_back({centre, radius});
+  }
+  return spheres;
+}
 
 }  // namespace pulvis::measures::packings

@@ -29,8 +29,8 @@ Checkpoint numbered(std::uint64_t number) {
   c.loads.current.facets = {{}, {{1.5, {1, 2, 3}}}};
   c.summary.phases = {{"fill", 0.0, 0.5, "time", {{"mass", 1.5, "kg", "now"}, {"none", {}, "1", "now"}}, {}}};
   c.summary.warnings = {"one", ""};
-  c.results.parcels = {{0.25, "frames/a.vtp"}};
-  c.results.frames = number;
+  c.results.frames.parcels = {{0.25, "frames/a.vtp"}};
+  c.results.frames.count = number;
   return c;
 }
 
@@ -81,8 +81,8 @@ TEST_F(CheckpointFolder, GivesBackWhatWasWritten) {
   EXPECT_EQ(c.loads.current.facets[1][0].shear, (Vec3{1, 2, 3}));
   EXPECT_EQ(c.summary.phases[0].measures[0].value, 1.5);
   EXPECT_FALSE(c.summary.phases[0].measures[1].value);
-  EXPECT_EQ(c.results.parcels[0].file, "frames/a.vtp");
-  EXPECT_EQ(c.results.frames, 5u);
+  EXPECT_EQ(c.results.frames.parcels[0].file, "frames/a.vtp");
+  EXPECT_EQ(c.results.frames.count, 5u);
 }
 
 TEST_F(CheckpointFolder, UsesTheOneBeforeADamagedOneAndTakesItsPlace) {

@@ -42,4 +42,17 @@ TEST(Templates, EveryCaseShippedChecksWithoutAWordOfOverlapAtRest) {
   EXPECT_GE(cases, 1u);
 }
 
+// What a mode is compared by must be all that distinguishes it.
+TEST(Templates, TheModesOfDieFillingAreShakenEquallyLongAndEquallyHard) {
+  for (const char* mode : {"sine-5hz", "sine-10hz", "square-5hz", "square-10hz"})
+    for (const char* size : {"", "small/"}) {
+      const std::string file = source_folder() + "/cases/die-filling/" + size + mode + ".toml";
+      const Outcome check = call({"check", file});
+      ASSERT_EQ(check.exit, 0) << check.err;
+      EXPECT_TRUE(has(check.out, "peak acceleration 12 m/s^2")) << file << "\n" << check.out;
+      EXPECT_TRUE(has(check.out, *size == 0 ? "parcels 102595" : "parcels 10020")) << file << "\n"
+                                                                                   << check.out;
+    }
+}
+
 }  // namespace
