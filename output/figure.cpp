@@ -30,7 +30,7 @@ std::string plot_of(const Figure& figure, bool with_key) {
                                    quoted(figure.title), quoted(figure.x_label), quoted(figure.y_label));
   script += range_text("x", figure.x_range) + range_text("y", figure.y_range);
   if (figure.log_x) script += "set logscale x\nset format x '%.0e'\n";
-  if (figure.log_y) script += "set logscale y\n";
+  if (figure.log_y) script += "set logscale y\nset format y '%.0e'\n";
   for (const Mark& mark : figure.marks) {
     script += fmt::format(
         "set arrow from first {0}, graph 0 to first {0}, graph 1 nohead dt 3 lc rgb '#606060'\n", mark.x);
@@ -52,7 +52,7 @@ std::string plot_of(const Figure& figure, bool with_key) {
 
 /// Where a sheet has what, in pixels.
 struct Layout {
-  static constexpr int left = 86, right = 24, top = 34, bottom = 54, title = 40;
+  static constexpr int left = 86, right = 24, top = 36, bottom = 66, title = 40;
   const FigureSheet& sheet;
   std::size_t columns = std::max<std::size_t>(1, std::min(sheet.columns, sheet.panels.size()));
   std::size_t rows = (sheet.panels.size() + columns - 1) / columns;

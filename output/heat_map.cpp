@@ -14,7 +14,7 @@ namespace {
 
 using gnuplot::quoted;
 
-constexpr double left = 74, right = 18, top = 44, bottom = 56;  // pixels around a map
+constexpr double left = 74, right = 18, top = 44, bottom = 72;  // pixels around a map
 constexpr double title_height = 40, bar_width = 130;
 constexpr double widest = 1080, highest = 340;  // all maps beside each other; one map
 constexpr double smallest = 70;                 // side of a map, so that ticks have room

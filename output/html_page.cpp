@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdlib>
 
 #include "output/xml_text.hpp"
@@ -22,7 +23,7 @@ constexpr std::string_view style =
     ".notice{border-left:.35rem solid #d55e00;background:#fdf3ec;padding:.5rem .9rem}"
     ".images{display:flex;flex-wrap:wrap;gap:1rem;align-items:flex-start}"
     "figure{margin:.5rem 0;flex:0 1 auto;min-width:0;max-width:100%}"
-    ".images.pair figure{flex:1 1 22rem;max-width:36rem}"
+    ".images.many{display:grid;grid-template-columns:repeat(auto-fill,minmax(24rem,1fr))}"
     "figcaption{font-size:.85rem;color:#444;max-width:52rem}.wide{overflow-x:auto}"
     "@media "
     "print{body{margin:0;max-width:none;font-size:11pt}nav{display:none}figure,tr,.notice{break-inside:"
@@ -33,6 +34,13 @@ bool is_number(const std::string& cell) {
   std::strtod(cell.c_str(), &end);
   while (*end == ' ' || *end == '%') ++end;
   return !cell.empty() && end != cell.c_str() && *end == '\0';
+}
+
+/// Whether all that stands in a column are numbers, or a dash for none.
+bool is_column_of_numbers(const std::vector<HtmlPage::Row>& rows, std::size_t k) {
+  return std::all_of(rows.begin(), rows.end(), [&](const HtmlPage::Row& row) {
+    return k >= row.cells.size() || row.cells[k].empty() || row.cells[k] == "-" || is_number(row.cells[k]);
+  });
 }
 
 /// RFC 4648.
@@ -126,13 +134,18 @@ void HtmlPage::list(const std::vector<std::string>& items) {
 void HtmlPage::paragraph(std::string_view text) { body_ += fmt::format("<p>{}</p>\n", xml_escape(text)); }
 
 void HtmlPage::table(const std::vector<std::string>& header, const std::vector<Row>& rows) {
-  body_ += "<div class=\"wide\"><table>\n<thead><tr>";
-  for (const std::string& cell : header) body_ += fmt::format("<th>{}</th>", xml_escape(cell));
-  body_ += "</tr></thead>\n<tbody>\n";
+  body_ += "<div class=\"wide\"><table>\n";
+  if (std::any_of(header.begin(), header.end(), [](const std::string& cell) { return !cell.empty(); })) {
+    body_ += "<thead><tr>";
+    for (const std::string& cell : header) body_ += fmt::format("<th>{}</th>", xml_escape(cell));
+    body_ += "</tr></thead>\n";
+  }
+  body_ += "<tbody>\n";
   for (const Row& row : rows) {
     body_ += row.kind.empty() ? "<tr>" : fmt::format("<tr class=\"{}\">", row.kind);
-    for (const std::string& cell : row.cells)
-      body_ += fmt::format("<td{}>{}</td>", is_number(cell) ? " class=\"number\"" : "", xml_escape(cell));
+    for (std::size_t k = 0; k < row.cells.size(); ++k)
+      body_ += fmt::format("<td{}>{}</td>", is_column_of_numbers(rows, k) ? " class=\"number\"" : "",
+                           xml_escape(row.cells[k]));
     body_ += "</tr>\n";
   }
   body_ += "</tbody>\n</table></div>\n";
@@ -143,7 +156,7 @@ void HtmlPage::image(std::string_view svg, std::string_view alternative) {
 }
 
 void HtmlPage::images(const std::vector<PageImage>& images) {
-  body_ += images.size() > 1 ? "<div class=\"images pair\">\n" : "<div class=\"images\">\n";
+  body_ += images.size() > 1 ? "<div class=\"images many\">\n" : "<div class=\"images\">\n";
   for (const PageImage& image : images) {
     body_ += "<figure>";
     if (!image.source.empty()) body_ += element_of(image);

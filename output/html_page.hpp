@@ -39,7 +39,7 @@ class HtmlPage {
     std::vector<std::string> cells;
     std::string kind{};  ///< "", "good", "bad" or "plain": its colour and weight
   };
-  /// A table; cells that are numbers stand right.
+  /// A table; columns of numbers stand right. A header of empty cells is left out.
   void table(const std::vector<std::string>& header, const std::vector<Row>& rows);
   /// An SVG image with the words that stand for it where it cannot be seen.
   void image(std::string_view svg, std::string_view alternative);

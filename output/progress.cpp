@@ -108,8 +108,8 @@ void Progress::finish() {
 
 void Progress::sample(const ProgressState& state, double now) {
   if (sampled_ && now - last_sample_ < sample_interval) return;
-  // A fraction that starts over belongs to another phase.
-  if (!state.fraction || (last_fraction_ && *state.fraction < *last_fraction_)) fraction_rate_.restart();
+  // A fraction that starts over belongs to another phase; from one that stands still no time left follows.
+  if (!state.fraction || (last_fraction_ && *state.fraction <= *last_fraction_)) fraction_rate_.restart();
   if (state.fraction) fraction_rate_.sample(now, *state.fraction);
   step_rate_.sample(now, static_cast<double>(state.particle_steps));
   last_fraction_ = state.fraction;

@@ -185,6 +185,10 @@ std::vector<Assumed> assumed_values(const RunData& run) {
     if (line == 0 || line > lines.size()) continue;
     const auto mark = lines[line - 1].find("ASSUMED");
     const auto comment = lines[line - 1].find('#');
+    // Of a case that extends another, the line may be one of that file.
+    if (lines[line - 1].substr(0, comment).find(key.name.substr(key.name.rfind('.') + 1)) ==
+        std::string::npos)
+      continue;
     if (mark != std::string::npos && comment < mark)
       list.push_back({key.name, key.value, trimmed(lines[line - 1].substr(mark + 7))});
   }

@@ -14,6 +14,8 @@
 namespace pulvis::report {
 namespace {
 
+constexpr double rounding = 1e-12;  // what sums of equal numbers may be off by
+
 /// What decides the course of a run, besides chance.
 std::string identity_of(const RunData& run, std::size_t place) {
   if (run.keys.empty()) return fmt::format("run {}", place);
@@ -24,11 +26,11 @@ std::string identity_of(const RunData& run, std::size_t place) {
   return text;
 }
 
-std::string mean_text(const Statistic& s, const DisplayUnit& unit) {
+std::string mean_text(const Statistic& s, std::size_t runs, const DisplayUnit& unit) {
   if (s.count == 0) return "-";
   std::string text = fmt::format("{:.4g}", s.mean * unit.factor);
   if (std::isfinite(s.deviation)) text += fmt::format(" ± {:.2g}", s.deviation * unit.factor);
-  return text + fmt::format(" (n = {})", s.count);
+  return s.count == runs ? text : text + fmt::format(" (of {} only)", s.count);
 }
 
 std::string verdict_text(const Verdict& v, const DisplayUnit& unit) {
@@ -66,6 +68,7 @@ Statistic statistic_of(const std::vector<double>& values) {
     if (std::isfinite(v)) squares += (v - s.mean) * (v - s.mean);
   s.deviation = s.count > 1 ? std::sqrt(squares / static_cast<double>(s.count - 1))
                             : std::numeric_limits<double>::quiet_NaN();
+  if (s.deviation <= rounding * std::abs(s.mean)) s.deviation = 0.0;
   return s;
 }
 
@@ -86,6 +89,7 @@ Verdict compare_means(const Statistic& first, const Statistic& second) {
   };
   const double variance = (squares(first) + squares(second)) / (n1 + n2 - 2.0);
   v.difference = second.mean - first.mean;
+  if (std::abs(v.difference) <= rounding * std::abs(first.mean)) v.difference = 0.0;
   v.error = std::sqrt(variance * (1.0 / n1 + 1.0 / n2));
   v.limit = student_limit(first.count + second.count - 2);
   v.judged = true;
@@ -124,7 +128,7 @@ void add_groups(HtmlPage& page, const std::vector<RunData>& runs, const std::vec
     const DisplayUnit unit = display_unit(largest, m.unit);
     std::vector<std::string> cells{measure_words(m.name), unit.name};
     for (std::size_t g = 0; g < groups.size(); ++g) {
-      cells.push_back(mean_text(statistic_of(values[g]), unit));
+      cells.push_back(mean_text(statistic_of(values[g]), groups[g].runs.size(), unit));
       if (g > 0)
         cells.push_back(verdict_text(compare_means(statistic_of(values[0]), statistic_of(values[g])), unit));
     }

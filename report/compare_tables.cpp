@@ -66,7 +66,9 @@ void add_measures(HtmlPage& page, const std::vector<RunData>& runs,
     std::string unit;
     std::vector<std::string> numbers = cells_of(m, values, unit);
     for (std::size_t k = 1; k < values.size(); ++k)
-      if (std::isfinite(values[k]) && std::isfinite(values[0]) && values[0] != 0.0)
+      if (values[k] == values[0])
+        numbers[k] += " (=)";
+      else if (std::isfinite(values[k]) && std::isfinite(values[0]) && values[0] != 0.0)
         numbers[k] += fmt::format(" ({})", percent_more(1.0 + (values[k] - values[0]) / std::abs(values[0])));
     std::vector<std::string> cells{measure_words(m.name), unit};
     cells.insert(cells.end(), numbers.begin(), numbers.end());

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <numeric>
 
 #include "report/illustration.hpp"
@@ -11,6 +12,7 @@ std::optional<Illustration> coordination_histogram(const Beside& list) {
                 "contacts with other parcels",
                 "share of parcels",
                 {}};
+  double highest = 0.0;
   for (const Labelled& one : list) {
     if (!one.phase->detail) continue;
     const std::vector<double>& count = one.phase->detail->coordination;
@@ -23,8 +25,10 @@ std::optional<Illustration> coordination_histogram(const Beside& list) {
     }
     curve.x.push_back(static_cast<double>(count.size()) - 0.5);
     curve.y.push_back(0.0);
+    highest = std::max(highest, curve.x.back());
     figure.curves.push_back(std::move(curve));
   }
+  figure.x_range = Range{-0.5, highest};
   return illustrate(std::move(figure),
                     "Parcels whose centre is in the die; contacts with walls do not count.");
 }

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-std::string percent(double share, int digits = 2) { return fmt::format("{:.{}g} %", 100.0 * share, digits); }
+std::string percent(double share, int digits = 2) { return number_text(100.0 * share, digits) + " %"; }
 
 /// Mean porosity of a stretch of a profile, weighted by volume; NaN if there is none.
 struct Stretch {
@@ -96,6 +96,15 @@ Difference beside_walls(const MeasuresFile& m, const std::string& axis, const Ju
           ratio};
 }
 
+/// How many parcels a cell holds: with few of them, part of the scatter is chance.
+std::string chance_words(const PhaseData& phase, double porosity) {
+  if (!phase.detail || !phase.detail->porosity || !(phase.detail->mean_diameter > 0.0)) return "";
+  const auto& edge = phase.detail->porosity->spacing;
+  const double parcel = std::numbers::pi / 6.0 * std::pow(phase.detail->mean_diameter, 3.0);
+  return fmt::format(" A cell holds about {:.2g} parcels, so part of that scatter is chance.",
+                     edge[0] * edge[1] * edge[2] * (1.0 - porosity) / parcel);
+}
+
 void judge_uniformity(const PhaseData& phase, const JudgementRules& rules, Judgement& j) {
   const double mean = phase.measure("porosity_mean"), scatter = phase.measure("porosity_std");
   if (std::isfinite(mean) && std::isfinite(scatter) && mean < 1.0) {
@@ -104,11 +113,10 @@ void judge_uniformity(const PhaseData& phase, const JudgementRules& rules, Judge
                        : relative < rules.fairly_uniform ? "fairly uniform"
                        : relative < rules.uneven         ? "uneven"
                                                          : "very uneven";
-    j.uniformity.push_back(
-        fmt::format("The powder is {}: its porosity is {:.4g} on average, and its density scatters by {} of "
-                    "the mean from cell to "
-                    "cell. Part of that scatter is chance, since a cell holds a dozen parcels or two.",
-                    word, mean, percent(relative)));
+    j.uniformity.push_back(fmt::format(
+        "The powder is {}: its porosity is {:.4g} on average, and its density scatters by {} of the mean "
+        "from cell to cell.{}",
+        word, mean, percent(relative), chance_words(phase, mean)));
   }
   const auto add = [&](const Difference& d) {
     if (!d.sentence.empty()) j.uniformity.push_back(d.sentence);
@@ -210,7 +218,7 @@ void advise_on_shaking(const RunData& run, const JudgementRules& rules, Judgemen
                       run.phases[k].name, 100.0 * change));
     else if (change < -rules.changed)
       j.to_try.push_back(
-          fmt::format("\"{}\" loosened the powder ({:+.2g} %): gentler or shorter shaking may not.",
+          fmt::format("\"{}\" loosened the powder ({:+.2g} %): try gentler or shorter shaking.",
                       run.phases[k].name, 100.0 * change));
     else
       j.to_try.push_back(

@@ -53,6 +53,14 @@ MapPanel cut_of(const PorosityGrid& g, const std::string& label, int across, con
   return panel;
 }
 
+/// Of those that have a map.
+std::vector<std::string> labels_of(const Beside& list) {
+  std::vector<std::string> labels;
+  for (const Labelled& one : list)
+    if (one.phase->detail && one.phase->detail->porosity) labels.push_back(one.label);
+  return labels;
+}
+
 /// Cuts across some axes of every grid, all in the same scale.
 HeatMap cuts(const Beside& list, std::initializer_list<int> axes) {
   HeatMap map;
@@ -82,8 +90,10 @@ std::optional<Illustration> porosity_cuts(const Beside& list) {
 
 std::optional<Illustration> porosity_upright_cuts(const Beside& list) {
   HeatMap map = cuts(list, {1});
+  const std::vector<std::string> labels = labels_of(list);
   map.name = "porosity-phases";
-  map.title = "Porosity in an upright cut through the middle, after each phase";
+  map.title = "Porosity in the upright cut across the second axis, after each phase";
+  for (std::size_t k = 0; k < map.panels.size(); ++k) map.panels[k].title = labels[k];
   map.columns = 4;
   return illustrate(std::move(map), "The same scale for all phases.");
 }
@@ -105,12 +115,17 @@ std::optional<Illustration> porosity_profiles(const Beside& list) {
     Figure panel{
         "", fmt::format("along the {}", axis_words[axis]), with_unit(axis_words[axis], unit), "porosity", {}};
     if (shown.high > shown.low) panel.y_range = Range{shown.low - margin, shown.high + margin};
+    double end = 0.0;
     for (const Labelled& one : list) {
       Curve curve{one.label, {}, {}};
-      if (const auto* p = one.phase->detail ? one.phase->detail->profile(axis_names[axis]) : nullptr)
+      if (const auto* p = one.phase->detail ? one.phase->detail->profile(axis_names[axis]) : nullptr) {
         curve.x = scaled(p->position, unit), curve.y = p->porosity;
+        // The first slice begins at 0, and the last ends as far beyond its middle.
+        if (!curve.x.empty()) end = std::max(end, curve.x.back() + curve.x.front());
+      }
       panel.curves.push_back(std::move(curve));
     }
+    panel.x_range = Range{0.0, end};
     sheet.panels.push_back(std::move(panel));
   }
   return illustrate(std::move(sheet), "Each point is a slice across the axis, up to the powder's surface.");
@@ -119,13 +134,18 @@ std::optional<Illustration> porosity_profiles(const Beside& list) {
 std::optional<Illustration> porosity_histogram(const Beside& list) {
   Figure figure{
       "porosity-histogram", "How much powder has which porosity", "porosity", "share of the volume", {}};
+  Range shown{1e300, -1e300};
   for (const Labelled& one : list) {
     if (!one.phase->detail || !one.phase->detail->porosity_histogram) continue;
     const Histogram& h = *one.phase->detail->porosity_histogram;
     Curve curve{one.label, h.edges, h.heights, false, true};
     curve.y.push_back(0.0);
+    for (std::size_t k = 0; k < h.heights.size(); ++k)
+      if (h.heights[k] > 0.0) shown = {std::min(shown.low, h.edges[k]), std::max(shown.high, h.edges[k + 1])};
     figure.curves.push_back(std::move(curve));
   }
+  const double margin = 0.05 * (shown.high - shown.low);
+  if (shown.high > shown.low) figure.x_range = Range{shown.low - margin, shown.high + margin};
   return illustrate(std::move(figure), "The narrower, the more uniform the powder.");
 }
 

@@ -69,10 +69,16 @@ DisplayUnit display_unit(const std::vector<double>& values, const std::string& u
   return display_unit(largest_of(values), unit);
 }
 
+std::string number_text(double value, int digits) {
+  const double size = std::abs(value);
+  if (size < std::pow(10.0, digits) || !(size < 1e6)) return fmt::format("{:.{}g}", value, digits);
+  return fmt::format("{:.0f}", value);
+}
+
 std::string value_text(double value, const std::string& unit, int digits) {
   if (!std::isfinite(value)) return "-";
   const DisplayUnit shown = display_unit(value, unit);
-  const std::string number = fmt::format("{:.{}g}", value * shown.factor, digits);
+  const std::string number = number_text(value * shown.factor, digits);
   return shown.name.empty() ? number : number + " " + shown.name;
 }
 
@@ -87,7 +93,7 @@ std::vector<double> scaled(const std::vector<double>& values, const DisplayUnit&
 }
 
 std::string percent_more(double ratio) {
-  return std::isfinite(ratio) ? fmt::format("{:+.2g} %", 100.0 * (ratio - 1.0)) : "-";
+  return std::isfinite(ratio) ? (ratio < 1.0 ? "" : "+") + number_text(100.0 * (ratio - 1.0), 2) + " %" : "-";
 }
 
 std::string measure_words(const std::string& name) {

@@ -17,6 +17,9 @@ struct DisplayUnit {
 DisplayUnit display_unit(double largest, const std::string& unit);
 DisplayUnit display_unit(const std::vector<double>& values, const std::string& unit);
 
+/// So many significant digits, without a power of ten where that is readable: "220", "0.48", "3.4e-06".
+std::string number_text(double value, int digits = 4);
+
 /// "1.6 g", "0.4803"; "-" for what is not a number.
 std::string value_text(double value, const std::string& unit, int digits = 4);
 

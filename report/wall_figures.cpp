@@ -90,8 +90,8 @@ double extent(const Surface& s, bool along_u) {
   return high - low;
 }
 
-/// A box unfolded to a cross: the floor in the middle, walls fallen outwards, a lid beyond +x. On walls across x, u
-/// and v run along y and z; across y, along x and z; on floor and lid, along x and y.
+/// A box unfolded to a cross: the floor in the middle, walls fallen outwards, a lid beyond +x. On walls across x and
+/// y the height is v, see `upright`; on floor and lid, u and v run along x and y.
 MapPanel cross_of(const std::map<std::string, Surface>& sides, const DisplayUnit& unit) {
   double x = 0.0, y = 0.0, z = 0.0;
   for (const auto& [side, s] : sides) {
@@ -129,6 +129,14 @@ MapPanel cross_of(const std::map<std::string, Surface>& sides, const DisplayUnit
   return panel;
 }
 
+/// On a box's walls across y, u runs along z and v along x (on those across x along y and z): turned so that v is the
+/// height.
+Surface upright(Surface s, const std::string& side) {
+  if (side[1] == 'y')
+    for (Tile& t : s.tiles) std::swap(t.u, t.v), std::swap(t.width, t.height);
+  return s;
+}
+
 MapPanel flat_panel(const Surface& s, const DisplayUnit& unit) {
   MapPanel panel;
   panel.x = panel.y = {1e300, -1e300};
@@ -150,7 +158,7 @@ std::vector<MapPanel> panels_of(const Labelled& one, bool with_label, const Disp
     if (side.empty())
       others.push_back(std::move(s));
     else
-      boxes[s.wall][side] = std::move(s);
+      boxes[s.wall][side] = upright(s, side);
   }
   // Powder of one side alone says nothing of a wall that nobody touches.
   std::erase_if(others, [](const Surface& s) { return !(s.largest() > 0.0); });

@@ -91,6 +91,12 @@ DieSurvey survey_die(const Case& c, const Simulation& simulation, const DieSight
   return die;
 }
 
+std::optional<DieSurvey> survey_die(const Case& c, const Simulation& simulation) {
+  const auto sight = look_into_die(c, simulation);
+  if (!sight) return {};
+  return survey_die(c, simulation, *sight);
+}
+
 std::vector<Measure> measures_of(const Simulation& simulation, const std::optional<DieSurvey>& die) {
   std::vector<Measure> list;
   const auto add = [&](const char* name, std::optional<double> value, const char* unit) {

@@ -72,6 +72,8 @@ struct DieSurvey {
   measures::Segregation segregation;
 };
 DieSurvey survey_die(const Case& c, const Simulation& simulation, const DieSight& sight);
+/// The same of a look into the die now; none if the case measures no die.
+std::optional<DieSurvey> survey_die(const Case& c, const Simulation& simulation);
 
 /// The measures that are one number, the same ones at any time of a run.
 std::vector<Measure> measures_of(const Simulation& simulation, const std::optional<DieSurvey>& die);

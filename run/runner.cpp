@@ -31,12 +31,6 @@ double or_default(double interval, const Case& c) {
   return interval > 0.0 ? interval : hundredth_of_longest_phase(c);
 }
 
-std::optional<DieSurvey> survey(const Case& c, const Simulation& simulation) {
-  const auto sight = look_into_die(c, simulation);
-  if (!sight) return {};
-  return survey_die(c, simulation, *sight);
-}
-
 Simulation simulation_of(const Case& c, Model&& model, State&& state, int threads) {
   require_fit(state, model);
   if (state.progress.phase > c.phases.size())
@@ -118,7 +112,7 @@ void Runner::look(bool phase_ends, const std::string& phase) {
   if (phase_ends || (log_every_ && step % log_every_ == 0)) results_.log(simulation_, phase);
   if (phase_ends) return;
   if (measure_every_ && step % measure_every_ == 0)
-    log_measures(phase, all_measures(survey(case_, simulation_)));
+    log_measures(phase, all_measures(survey_die(case_, simulation_)));
   if (frame_every_ && step % frame_every_ == 0)
     results_.frame(simulation_, loads_, porosity_of_die(case_, simulation_));
 }

@@ -26,12 +26,21 @@ Sight look_at(const Simulation& simulation) {
     s.masses.push_back(p.mass);
     s.bodies.push_back({p.position, p.velocity, p.spin, p.mass, inertia(p)});
   }
+  // In the order of ids, not of slots, which rebuilds change: sums over contacts must not.
   const NearPairs& pairs = simulation.pairs();
-  for (std::size_t slot = 0; slot < pairs.slots(); ++slot)
-    if (pairs.touching[slot]) s.contacts.push_back({place[pairs.first[slot]], place[pairs.second[slot]]});
+  for (const std::uint32_t k : s.index)
+    for (std::uint32_t e = pairs.begin[k]; e < pairs.begin[k + 1]; ++e) {
+      const std::uint32_t slot = pairs.entry[e] / 2;
+      if (pairs.first[slot] != k || !pairs.touching[slot]) continue;
+      s.contacts.push_back({place[k], place[pairs.second[slot]]});
+      s.contact_slots.push_back(slot);
+    }
   const NearWalls& walls = simulation.walls();
-  for (std::size_t slot = 0; slot < walls.slots(); ++slot)
-    if (walls.touching[slot]) s.wall_contacts.push_back(place[walls.parcel[slot]]);
+  for (const std::uint32_t slot : simulation.wall_slots_by_id()) {
+    if (!walls.touching[slot]) continue;
+    s.wall_contacts.push_back(place[walls.parcel[slot]]);
+    s.wall_slots.push_back(slot);
+  }
   return s;
 }
 
@@ -48,20 +57,20 @@ ForceSight forces_in(const Simulation& simulation, const Sight& sight) {
   forces.pairs.reserve(sight.contacts.size());
   forces.walls.reserve(sight.wall_contacts.size());
   const NearPairs& pairs = simulation.pairs();
-  for (std::size_t slot = 0; slot < pairs.slots(); ++slot) {
-    if (!pairs.touching[slot]) continue;
-    const measures::Contact& contact = sight.contacts[forces.pairs.size()];
+  for (std::size_t c = 0; c < sight.contacts.size(); ++c) {
+    const std::uint32_t slot = sight.contact_slots[c];
     const Vec3 branch = nearest(body[pairs.first[slot]].position - body[pairs.second[slot]].position);
-    forces.pairs.push_back({contact.first, contact.second, pairs.load[slot].force, branch});
+    forces.pairs.push_back(
+        {sight.contacts[c].first, sight.contacts[c].second, pairs.load[slot].force, branch});
   }
   const NearWalls& near = simulation.walls();
   const Walls& walls = simulation.model().walls;
-  for (std::size_t slot = 0; slot < near.slots(); ++slot) {
-    if (!near.touching[slot]) continue;
+  for (std::size_t c = 0; c < sight.wall_contacts.size(); ++c) {
+    const std::uint32_t slot = sight.wall_slots[c];
     const Pose& pose = simulation.pose(walls.surfaces[near.surface[slot]].body);
     const Vec3 at = pose.now.back(body[near.parcel[slot]].position);
     const Vec3 branch = pose.now.turn(-look(walls, near, slot, at).offset);
-    forces.walls.push_back({sight.wall_contacts[forces.walls.size()], near.load[slot].force, branch});
+    forces.walls.push_back({sight.wall_contacts[c], near.load[slot].force, branch});
   }
   return forces;
 }

@@ -9,14 +9,16 @@
 
 namespace pulvis {
 
-/// A state in the form the measures take: parcels in order of their ids.
+/// A state in the form the measures take: parcels in order of their ids, contacts in that of the first's id and
+/// then of the second's or the surface.
 struct Sight {
   std::vector<measures::Sphere> spheres;
   std::vector<double> masses;
   std::vector<measures::Body> bodies;
-  std::vector<std::uint32_t> index;          ///< place in the store
-  std::vector<measures::Contact> contacts;   ///< of parcels, stretched ones included
-  std::vector<std::uint32_t> wall_contacts;  ///< the sphere, once for each wall it touches
+  std::vector<std::uint32_t> index;                      ///< place in the store
+  std::vector<measures::Contact> contacts;               ///< of parcels, stretched ones included
+  std::vector<std::uint32_t> wall_contacts;              ///< the sphere, once for each wall it touches
+  std::vector<std::uint32_t> contact_slots, wall_slots;  ///< of these contacts in the near lists
 };
 Sight look_at(const Simulation& simulation);
 

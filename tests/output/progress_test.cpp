@@ -89,6 +89,18 @@ TEST(Progress, StartsTheEstimateOverWhenTheFractionDoes) {
   EXPECT_EQ(display.take().find("left"), std::string::npos);
 }
 
+TEST(Progress, ForeseesNothingFromAFractionThatStandsStill) {
+  Display display({ProgressStyle::lines, false, 80});
+  std::string last;
+  for (int second = 0; second <= 90; ++second) {
+    display.progress.update(state_at(0.01 * std::min(second, 30), 0));
+    if (const auto text = display.take(); !text.empty()) last = text;
+    display.now += 1.0;
+  }
+  EXPECT_TRUE(last.starts_with("shake 30.0 %")) << last;
+  EXPECT_EQ(last.find("left"), std::string::npos) << last;
+}
+
 TEST(Progress, LeavesOutWhatCannotBeForeseen) {
   Display display({ProgressStyle::lines, false, 80});
   auto state = state_at(0.0, 0);

@@ -38,10 +38,9 @@ class Journey {
     simulation_.step();
     const auto by = procedure_.ended();
     if (!by) return {};
-    const Measurement m = measure(c_, simulation_);
     Ended e{procedure_.phase().name, *by,
             simulation_.state().step - simulation_.state().progress.phase_start};
-    for (const Measure& value : m.list) {
+    for (const Measure& value : measures_of(simulation_, survey_die(c_, simulation_))) {
       if (value.name == "kinetic_energy_translational") e.kinetic_energy = *value.value;
       if (value.name == "fill_mass") e.fill = *value.value;
     }

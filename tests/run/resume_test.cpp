@@ -12,7 +12,9 @@ namespace {
 
 /// Checkpoints come so often that kills meet some of them being written.
 const std::string die =
-    with(small_die, "picture = false", "picture = false\ncheckpoint_interval = \"30 ms\"");
+    with(small_die, "picture = false",
+         "picture = false\ncheckpoint_interval = \"30 ms\"\n\n[measures.surfaces.mouth]\n"
+         "point = [\"1.5 mm\", \"1.5 mm\", \"4 mm\"]\nnormal = [0, 0, -1]\nradius = \"2 mm\"");
 
 /// All that a run leaves but how long it took: every file with its bytes, and what result.json says.
 std::map<std::string, std::string> left_in(const std::string& out) {
