@@ -44,6 +44,8 @@ std::string plot_of(const Figure& figure, bool with_key) {
     const Curve& curve = figure.curves[k];
     plot += fmt::format("{} '-' using 1:2 {} {}", k ? "," : "",
                         with_key ? "title " + quoted(curve.label) : "notitle", style_of(curve, k));
+    // A histogram rises from nothing.
+    if (curve.steps && !curve.x.empty()) data += gnuplot::data_line({curve.x.front(), 0.0});
     for (std::size_t j = 0; j < curve.x.size(); ++j) data += gnuplot::data_line({curve.x[j], curve.y[j]});
     data += "e\n";
   }

@@ -15,6 +15,7 @@ struct JudgementRules {
   double worth_mending = 0.03;  ///< a difference of density between parts from which to try something
   double enough_powder = 0.10;  ///< a part with a smaller share of the volume is not compared
   double changed = 0.002;       ///< a phase that changes the density by less changed nothing
+  double same_mass = 0.01;      ///< phases that add or take out more are not compared
   double tilted = 0.0524;       ///< rad (3 degrees)
   double few_parcels = 15.0;    ///< parcels across the die's narrowest side
   double soft = 0.05;           ///< largest overlap over the radius

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "report/illustration.hpp"
 #include "report/quantity_text.hpp"
@@ -31,11 +32,24 @@ DisplayUnit length_unit(const std::vector<const PorosityGrid*>& grids) {
   return display_unit(longest, "m");
 }
 
-/// The cells in the middle of an axis, seen along it.
-MapPanel cut_of(const PorosityGrid& g, const std::string& label, int across, const DisplayUnit& unit) {
+/// Half the height of the lowest powder, m: a level cut there meets powder in all grids.
+double middle_of_powder(const std::vector<const PorosityGrid*>& grids) {
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const PorosityGrid* g : grids) {
+    std::size_t layers = 0;
+    for (std::size_t k = 0; k < g->values.size(); ++k)
+      if (std::isfinite(g->values[k])) layers = k / (g->cells[0] * g->cells[1]) + 1;
+    if (layers > 0) lowest = std::min(lowest, 0.5 * static_cast<double>(layers) * g->spacing[2]);
+  }
+  return std::isfinite(lowest) ? lowest : 0.0;
+}
+
+/// The cells at `cut` m along an axis, seen along it.
+MapPanel cut_of(const PorosityGrid& g, const std::string& label, int across, double cut,
+                const DisplayUnit& unit) {
   const int right = across == 0 ? 1 : 0, up = across == 2 ? 1 : 2;
   std::size_t at[3]{};
-  at[across] = g.cells[across] / 2;
+  at[across] = std::min(static_cast<std::size_t>(cut / g.spacing[across]), g.cells[across] - 1);
   const double place = (static_cast<double>(at[across]) + 0.5) * g.spacing[across] * unit.factor;
   MapPanel panel;
   panel.title = fmt::format("{}{} at {:.3g} {}", label.empty() ? "" : label + ": ", axis_words[across], place,
@@ -64,12 +78,14 @@ std::vector<std::string> labels_of(const Beside& list) {
 /// Cuts across some axes of every grid, all in the same scale.
 HeatMap cuts(const Beside& list, std::initializer_list<int> axes) {
   HeatMap map;
-  const auto unit = length_unit(grids_of(list));
-  for (const Labelled& one : list)
-    if (one.phase->detail && one.phase->detail->porosity)
-      for (const int across : axes)
-        map.panels.push_back(
-            cut_of(*one.phase->detail->porosity, list.size() > 1 ? one.label : "", across, unit));
+  const std::vector<const PorosityGrid*> grids = grids_of(list);
+  const std::vector<std::string> labels = labels_of(list);
+  const DisplayUnit unit = length_unit(grids);
+  const double level = middle_of_powder(grids);
+  for (std::size_t k = 0; k < grids.size(); ++k)
+    for (const int across : axes)
+      map.panels.push_back(cut_of(*grids[k], list.size() > 1 ? labels[k] : "", across,
+                                  across == 2 ? level : 0.5 * length_of(*grids[k], across), unit));
   map.bar_label = "porosity";
   map.scale = range_of_values(map.panels);
   return map;
@@ -80,7 +96,7 @@ HeatMap cuts(const Beside& list, std::initializer_list<int> axes) {
 std::optional<Illustration> porosity_cuts(const Beside& list) {
   HeatMap map = cuts(list, {1, 0, 2});
   map.name = "porosity-cuts";
-  map.title = "Porosity in three cuts through the middle of the die";
+  map.title = "Porosity in three cuts through the middle of the powder";
   map.columns = 3;
   return illustrate(
       std::move(map),

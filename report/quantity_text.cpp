@@ -31,6 +31,7 @@ constexpr auto words = std::to_array<std::pair<const char*, const char*>>({
     {"free_surface_roughness", "roughness of the surface"},
     {"free_surface_tilt", "tilt of the surface"},
     {"coordination_mean", "contacts per parcel"},
+    {"coordination_without_rattlers", "contacts per parcel without rattlers"},
     {"coordination_walls_mean", "contacts with walls per parcel"},
     {"rattler_share", "share of parcels that bear nothing (rattlers)"},
     {"contact_force_mean", "mean contact force"},

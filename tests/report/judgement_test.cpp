@@ -32,12 +32,25 @@ TEST(Judgement, SaysByHowMuchTheLowerThirdIsDenser) {
       says(judgement_of({.lower_denser = 0.03}).uniformity, "The lower third of the powder is 2 % denser"));
   EXPECT_TRUE(says(judgement_of({.lower_denser = -0.06}).uniformity,
                    "The lower third of the powder is 3.9 % looser"));
-  EXPECT_TRUE(says(judgement_of({.lower_denser = 0.0}).uniformity, "are equally dense (difference 0 %)"));
+  EXPECT_TRUE(says(judgement_of({.lower_denser = 0.0}).uniformity,
+                   "The lower third of the powder is as dense as the upper third (difference 0 %)"));
 }
 
 TEST(Judgement, SaysWhatEachPhaseChanged) {
   const Judgement j = judgement_of({.porosity = 0.48});
   EXPECT_TRUE(says(j.changes, "In \"shake\" the powder became denser by 4 % (porosity 0.5 to 0.48)"));
+}
+
+TEST(Judgement, ComparesNoDensitiesWhilePowderArrives) {
+  const ScratchFolder scratch;
+  write_sample_run(scratch.file("run"));
+  RunData run = read_run(scratch.file("run"));
+  for (Scalar& m : run.phases[0].measures)
+    if (m.name == "fill_mass") m.value *= 0.5;
+  const Judgement j = judge(run);
+  EXPECT_TRUE(says(j.changes, "the mass in the die changed by +100 %"));
+  EXPECT_FALSE(says(j.changes, "denser"));
+  EXPECT_FALSE(says(j.to_try, "longer shaking"));
 }
 
 TEST(Judgement, AdvisesLongerShakingWhileItStillCompacts) {

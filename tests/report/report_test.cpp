@@ -128,6 +128,14 @@ TEST(Report, UnfoldsTheWallsOfABoxAsTheyStand) {
   EXPECT_EQ(at(0.0, 0.0), 5.0);      // the shoe, by itself
 }
 
+TEST(Report, CutsThroughPowderEvenIfTheDieIsNearlyEmpty) {
+  const ScratchFolder scratch;
+  write_sample_run(scratch.file("run"), {.layers_of_powder = 1, .pictures = false});
+  report::write_report(scratch.file("run"), "");
+  EXPECT_SAYS(content_of(scratch.file("run/report/porosity-cuts.csv")),
+              "\"height at 1.33 mm: second axis (mm)");
+}
+
 TEST(Report, AsksNothingOfTheNetworkAndHoldsNoScript) {
   const ScratchFolder scratch;
   const std::string page = page_of(scratch);

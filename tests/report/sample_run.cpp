@@ -67,7 +67,7 @@ Json measures_of(const SampleRun& run, std::size_t phase) {
   Json& grid =
       m["porosity"] = {{"cells", {3, 2, 3}}, {"spacing_m", {run.die[0] / 3, run.die[1] / 2, run.die[2] / 3}}};
   for (int k = 0; k < 18; ++k) {
-    if (k == 17)
+    if (k == 17 || k / 6 >= run.layers_of_powder)
       grid["values"].push_back(nullptr);
     else
       grid["values"].push_back(porosity_of(run, phase, (k / 6 + 0.5) * floor_height / 3) + 0.001 * (k % 6));

@@ -12,6 +12,7 @@ struct SampleRun {
   double lower_denser = 0.02;  ///< by how much the lowest slice is denser than the highest
   double surface_energy = 1e-4;
   std::vector<double> die{0.008, 0.006, 0.008};
+  int layers_of_powder = 3;  ///< of the three that the die has cells for
   bool ended = true;
   bool measures = true;  ///< with measures/ and measures.csv, which older runs have not
   bool pictures = true;
