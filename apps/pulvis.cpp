@@ -103,7 +103,8 @@ int main(int argc, char** argv) {
   run->footer(
       "Example: pulvis run case.toml --out results --set powders.mo.coarse_graining=50 --set "
       "'output.interval=1 ms'\n"
-      "Leaves result.json, log.csv, picture.png and series for ParaView (parcels.pvd, walls.pvd, "
+      "Leaves report.html, result.json, log.csv, picture.png and series for ParaView (parcels.pvd, "
+      "walls.pvd, "
       "porosity.pvd) in\n"
       "the folder. Ctrl-C ends the run after the current step with valid results; SIGTERM and SIGUSR1 stop "
       "it\n"
@@ -200,6 +201,7 @@ int main(int argc, char** argv) {
       std::signal(SIGTERM, on_leave);
       std::signal(SIGUSR1, on_leave);
       request.overrides = overrides_from(settings);
+      request.make_page = pulvis::make_report;
       result = pulvis::run_case(request);
     } else if (const auto reported = pulvis::run_report_command(app)) {
       result = *reported;

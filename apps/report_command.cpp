@@ -36,6 +36,13 @@ void add_report_commands(CLI::App& app) {
       "Example: pulvis compare gentle hard --out comparison");
 }
 
+std::string make_report(const std::string& folder) {
+  const std::string page = (std::filesystem::path(folder) / "report.html").string();
+  for (const std::string& warning : report::write_report(folder, page))
+    fmt::print(stderr, "warning: {}\n", warning);
+  return page;
+}
+
 std::optional<Exit> run_report_command(const CLI::App& app) {
   const auto text = [](const CLI::App* command, const char* option) {
     return command->count(option) ? command->get_option(option)->as<std::string>() : std::string();

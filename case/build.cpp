@@ -298,7 +298,7 @@ class Builder {
 
   static OutputChoice output(const Section& section) {
     return {section.number("interval"), section.number("log_interval"), section.number("checkpoint_interval"),
-            section.flag("picture")};
+            section.flag("picture"), section.flag("report")};
   }
 
   const Section& root_;

@@ -195,15 +195,16 @@ struct OutputChoice {
   double interval = 0.0;      ///< s between frames for ParaView; 0: only at the end of phases
   double log_interval = 0.0;  ///< s between lines of log.csv; 0: a hundredth of the longest phase limit
   double checkpoint_interval = 900.0;  ///< s on the clock; 0: only at the end of phases
-  bool picture = true;
+  bool picture = true, report = true;
 };
 
 /// A key of a case with its value and where that comes from.
 struct ResolvedKey {
-  std::string key;      ///< "materials.steel.density"
-  std::string value;    ///< as written in TOML
-  std::string meaning;  ///< the same however it was written: numbers in SI units, all their digits
-  std::string origin;   ///< "die.toml:14", "default" or "--set materials.steel.density"
+  std::string key;        ///< "materials.steel.density"
+  std::string value;      ///< as written in TOML
+  std::string meaning;    ///< the same however it was written: numbers in SI units, all their digits
+  std::string origin;     ///< "die.toml:14", "default" or "--set materials.steel.density"
+  std::string comment{};  ///< at the end of that line; empty if there is none
 };
 
 struct Case {

@@ -114,6 +114,11 @@ void append_choices(Keys& keys) {
            .example = "false",
            .standard = "true",
            .help = "draw the filled die, cut open"},
+          {.pattern = "output.report",
+           .kind = boolean,
+           .example = "false",
+           .standard = "true",
+           .help = "put the results together on one page, report.html, at the end of the run"},
       });
 }
 

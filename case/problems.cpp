@@ -134,5 +134,28 @@ std::string ProblemList::describe(const Place& place) const {
   return source.is_override ? source.name : fmt::format("{}:{}", source.name, place.line);
 }
 
+std::string ProblemList::comment_at(const Place& place) const {
+  const Source& source = sources_[static_cast<std::size_t>(place.source)];
+  const auto number = static_cast<std::size_t>(std::max(place.line, 1)) - 1;
+  if (source.is_override || number >= source.lines.size()) return {};
+  const std::string& line = source.lines[number];
+  char quote = 0;
+  for (std::size_t at = 0; at < line.size(); ++at) {
+    const char letter = line[at];
+    if (quote == 0 && letter == '#') {
+      const std::size_t first = line.find_first_not_of(" #\t", at), last = line.find_last_not_of(" \t\r");
+      return first == std::string::npos ? "" : line.substr(first, last + 1 - first);
+    }
+    if (quote == 0 && (letter == '"' || letter == '\'')) {
+      quote = letter;
+    } else if (quote == '"' && letter == '\\') {
+      ++at;  // what is escaped ends no text
+    } else if (letter == quote) {
+      quote = 0;
+    }
+  }
+  return {};
+}
+
 }  // namespace case_file
 }  // namespace pulvis

@@ -61,6 +61,9 @@ class ProblemList {
   /// "die.toml:14", "--set key".
   std::string describe(const Place& place) const;
 
+  /// What the comment at the end of the line says, without its sign; empty without one.
+  std::string comment_at(const Place& place) const;
+
  private:
   static constexpr std::size_t most = 100;  // a screen or two
   struct Source {

@@ -39,7 +39,8 @@ std::vector<ResolvedKey> resolved(const Section& root, const ProblemList& proble
   std::vector<ResolvedKey> result;
   for (const Setting* setting : settings)
     result.push_back({setting->path, setting->written, meaning_of(*setting),
-                      setting->given ? problems.describe(setting->place) : "default"});
+                      setting->given ? problems.describe(setting->place) : "default",
+                      setting->given ? problems.comment_at(setting->place) : ""});
   return result;
 }
 

@@ -23,17 +23,19 @@ void compare_halves(Segregation& result, std::span<const Member> members) {
   std::vector<Member> by_height(members.begin(), members.end());
   std::stable_sort(by_height.begin(), by_height.end(),
                    [](const Member& a, const Member& b) { return a.place.z < b.place.z; });
+  // Diameters count from one of them, so that equal sizes give exactly zero.
+  const double origin = by_height.front().diameter;
   double below = 0.0, low = 0.0, high = 0.0;  // mass below; sums of mass times diameter
   for (const Member& member : by_height) {
     const double lower = std::clamp(0.5 * mass - below, 0.0, member.mass);
     below += member.mass;
-    low += lower * member.diameter;
-    high += (member.mass - lower) * member.diameter;
+    low += lower * (member.diameter - origin);
+    high += (member.mass - lower) * (member.diameter - origin);
   }
-  result.mean_diameter = (low + high) / mass;
-  result.lower = low / (0.5 * mass);
-  result.upper = high / (0.5 * mass);
-  result.index = (*result.upper - *result.lower) / *result.mean_diameter;
+  result.mean_diameter = origin + (low + high) / mass;
+  result.lower = origin + low / (0.5 * mass);
+  result.upper = origin + high / (0.5 * mass);
+  result.index = (high - low) / (0.5 * mass) / *result.mean_diameter;
 }
 
 void compare_cells(Segregation& result, std::span<const Member> members, const CellList& cells) {

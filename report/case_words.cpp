@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
-
 #include "case/units.hpp"
 
 namespace pulvis::report {
@@ -90,26 +88,6 @@ std::string contact_words(const ContactChoice& c) {
   return text;
 }
 
-/// The number that stands behind the last colon of "case.toml:14".
-std::size_t line_of(const std::string& origin) {
-  const auto colon = origin.rfind(':');
-  std::size_t line = 0;
-  if (colon == std::string::npos) return 0;
-  const char* end = origin.data() + origin.size();
-  const auto [stop, error] = std::from_chars(origin.data() + colon + 1, end, line);
-  return error == std::errc{} && stop == end ? line : 0;
-}
-
-std::vector<std::string> lines_of(const std::string& text) {
-  std::vector<std::string> lines(1);
-  for (const char c : text)
-    if (c == '\n')
-      lines.emplace_back();
-    else
-      lines.back() += c;
-  return lines;
-}
-
 /// From one letter that is no blank to the last.
 std::string trimmed(const std::string& text) {
   const auto begin = text.find_first_not_of(" :\t\r"), end = text.find_last_not_of(" \t\r");
@@ -177,21 +155,11 @@ std::vector<std::string> simplifications(const Case& c) {
 }
 
 std::vector<Assumed> assumed_values(const RunData& run) {
+  const std::string mark = "ASSUMED";
   std::vector<Assumed> list;
-  if (!run.the_case) return list;
-  const std::vector<std::string> lines = lines_of(run.the_case->text);
-  for (const Key& key : run.keys) {
-    const std::size_t line = key.origin.starts_with("--set") ? 0 : line_of(key.origin);
-    if (line == 0 || line > lines.size()) continue;
-    const auto mark = lines[line - 1].find("ASSUMED");
-    const auto comment = lines[line - 1].find('#');
-    // Of a case that extends another, the line may be one of that file.
-    if (lines[line - 1].substr(0, comment).find(key.name.substr(key.name.rfind('.') + 1)) ==
-        std::string::npos)
-      continue;
-    if (mark != std::string::npos && comment < mark)
-      list.push_back({key.name, key.value, trimmed(lines[line - 1].substr(mark + 7))});
-  }
+  for (const Key& key : run.keys)
+    if (const auto at = key.comment.find(mark); at != std::string::npos)
+      list.push_back({key.name, key.value, trimmed(key.comment.substr(at + mark.size()))});
   return list;
 }
 

@@ -51,11 +51,6 @@ void add_case(HtmlPage& page, const RunData& run) {
     page.table({"key", "value"}, rows);
   }
   const std::vector<Assumed> assumed = assumed_values(run);
-  if (assumed.empty() && run.the_case && run.the_case->text.starts_with("# Put together"))
-    page.paragraph(
-        "The case extends another one. Its comments are not kept when they are put together, so look into "
-        "these "
-        "files for values marked ASSUMED.");
   if (assumed.empty()) return;
   page.heading("Values that are assumed", 3);
   page.paragraph("The case marks these as not known for this powder and die. Results depend on them.");

@@ -130,7 +130,8 @@ void read_keys(RunData& run) {
   if (run.version.empty()) run.version = file.text_or("version", "");
   if (const auto keys = file.find("keys"))
     for (const auto& [name, entry] : keys->members())
-      run.keys.push_back({name, entry.at("value").text(), entry.text_or("origin", "")});
+      run.keys.push_back(
+          {name, entry.at("value").text(), entry.text_or("origin", ""), entry.text_or("comment", "")});
 }
 
 /// The case as the run saw it: the file's text, and what `--set` put over it.

@@ -26,7 +26,7 @@ struct PhaseData {
 
 /// A key of the case as the run used it.
 struct Key {
-  std::string name, value, origin;
+  std::string name, value, origin, comment{};
 };
 
 /// A run folder as it was read.

@@ -41,6 +41,10 @@ const std::vector<std::string> result_files = {"case.toml",
                                                "pictures/size.png",
                                                "measures.csv",
                                                "measures/after-*.json",
+                                               "report.html",
+                                               "report/*.svg",
+                                               "report/*.csv",
+                                               "report/*.gnuplot",
                                                ".reserve",
                                                "parcels.pvd",
                                                "walls.pvd",
@@ -150,7 +154,10 @@ WrittenResults Results::written() {
 void Results::write_case() {
   write_file_safely(folder_.file("case.toml"), case_.text);
   Json keys = Json::object();
-  for (const ResolvedKey& key : case_.keys) keys[key.key] = {{"value", key.value}, {"origin", key.origin}};
+  for (const ResolvedKey& key : case_.keys) {
+    keys[key.key] = {{"value", key.value}, {"origin", key.origin}};
+    if (!key.comment.empty()) keys[key.key]["comment"] = key.comment;
+  }
   Json limits = Json::array();
   for (const StepLimit& l : time_step_.limits)
     limits.push_back({{"kind", l.kind}, {"of", l.of}, {"time_s", l.time}});

@@ -88,6 +88,15 @@ void write_not_ended(Results& results, RunSummary summary) {
   results.write_result(summary, nullptr, false);
 }
 
+void make_page(const RunRequest& request, const RunFolder& folder) {
+  if (!request.make_page) return;
+  try {
+    fmt::print("  page      {}\n", request.make_page(folder.path()));
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "warning: there is no page of the results: {}\n", error.what());
+  }
+}
+
 }  // namespace
 
 int available_processors() { return omp_get_num_procs(); }
@@ -137,8 +146,10 @@ Exit run_case(const RunRequest& request) {
   // First: if the results cannot be written, that is a second failure, not the reason of the first.
   if (summary.exit != Exit::ok) fmt::print(stderr, "pulvis: {}\n", summary.reason);
   results.write_result(summary, runner ? &runner->simulation() : nullptr);
-  if (runner && (summary.exit == Exit::ok || summary.exit == Exit::cancelled))
+  if (runner && (summary.exit == Exit::ok || summary.exit == Exit::cancelled)) {
     print_summary(c, folder.path(), summary, runner->simulation());
+    if (c.output.report) make_page(request, folder);
+  }
   return summary.exit;
 }
 

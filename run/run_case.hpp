@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,9 @@ struct RunRequest {
   bool force = false;
   bool resume = false;   ///< go on from the newest checkpoint in `out`
   std::string max_wall;  ///< time on the clock after which to stop with a checkpoint, "12 h"; empty: none
+  /// Makes a page of the results in the folder it is given, when they are complete and the folder is still held;
+  /// may be empty. Returns the page's file. What it throws is warned of: the results are there without it.
+  std::function<std::string(const std::string&)> make_page;
 };
 
 /// Runs a case from the file to the results. Progress goes to stderr; a short summary with the places of the

@@ -140,7 +140,7 @@ void write_case(const std::string& folder, const SampleRun& run) {
       {"materials.molybdenum.surface_energy", fmt::format("{} J/m^2", run.surface_energy)}};
   Json keys;
   for (const ResolvedKey& k : read_case_text(text, "case.toml", overrides).keys)
-    keys[k.key] = {{"value", k.value}, {"origin", k.origin}};
+    keys[k.key] = {{"value", k.value}, {"origin", k.origin}, {"comment", k.comment}};
   put(folder + "/run.json", Json{{"version", "0.1.0"}, {"title", "a title"}, {"keys", keys}}.dump(1));
 }
 

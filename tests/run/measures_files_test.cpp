@@ -161,6 +161,28 @@ TEST(MeasuresOfARun, LeaveFieldsForParaViewAtTheEndOfEachPhase) {
   }
 }
 
+TEST(PageOfARun, IsMadeAtItsEndAndKnowsWhatIsAssumed) {
+  const RunOfCase run(with(with(small_die, "report = false", "report = true"), "mass_rate = \"600 mg/s\"",
+                           "mass_rate = \"600 mg/s\"  # ASSUMED: \"quick\" # as it comes"));
+  ASSERT_EQ(run.exit(), 0) << run.outcome().err;
+  EXPECT_TRUE(has(run.outcome().out, "report.html")) << run.outcome().out;
+  EXPECT_EQ(json_of(run.out("run.json"))["keys"]["sources.rain.mass_rate"]["comment"],
+            "ASSUMED: \"quick\" # as it comes");
+  const std::string page = text_of(run.out("report.html"));
+  EXPECT_TRUE(has(page, "sources.rain.mass_rate")) << "assumed values are listed";
+  EXPECT_TRUE(has(page, "A small die, filled and shaken"));
+}
+
+TEST(PageOfARun, GoesWithTheResultsThatForceReplaces) {
+  const RunOfCase run(with(small_die, "report = false", "report = true"));
+  ASSERT_TRUE(fs::exists(run.out("report.html")));
+  const Outcome again =
+      call({"run", run.case_file(), "--out", run.out(), "--force", "--set", "output.report=false"});
+  ASSERT_EQ(again.exit, 0) << again.err;
+  EXPECT_FALSE(fs::exists(run.out("report.html")));
+  EXPECT_FALSE(fs::exists(run.out("report"))) << "nor its figures";
+}
+
 TEST(MeasuresOfARun, WithoutADieAreThoseOfTheParcelsAlone) {
   const RunOfCase run(
       with(with(thrown("[\"0 m/s\", \"0 m/s\", \"0 m/s\"]"), "shape = \"box\"", "shape = \"plane\""),

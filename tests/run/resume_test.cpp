@@ -11,10 +11,13 @@ namespace fs = std::filesystem;
 namespace {
 
 /// Checkpoints come so often that kills meet some of them being written.
-const std::string die =
-    with(small_die, "picture = false",
-         "picture = false\ncheckpoint_interval = \"30 ms\"\n\n[measures.surfaces.mouth]\n"
-         "point = [\"1.5 mm\", \"1.5 mm\", \"4 mm\"]\nnormal = [0, 0, -1]\nradius = \"2 mm\"");
+const std::string die = with(small_die, "[output]", R"([measures.surfaces.mouth]
+point = ["1.5 mm", "1.5 mm", "4 mm"]
+normal = [0, 0, -1]
+radius = "2 mm"
+
+[output]
+checkpoint_interval = "30 ms")");
 
 /// All that a run leaves but how long it took: every file with its bytes, and what result.json says.
 std::map<std::string, std::string> left_in(const std::string& out) {

@@ -99,6 +99,7 @@ fraction = 1.0
 interval = "0.02 s"
 log_interval = "2 ms"
 picture = false
+report = false
 )";
 
 /// The same die, walls and powder without its sources and phases, which the test adds.
