@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 
 #include "report/compare.hpp"
 #include "report/quantity_text.hpp"
@@ -97,16 +99,49 @@ Verdict compare_means(const Statistic& first, const Statistic& second) {
   return v;
 }
 
+namespace {
+
+/// Runs of a group that say something of chance, and why others do not.
+struct Sample {
+  std::vector<std::size_t> runs;
+  std::vector<std::string> left_out;
+};
+
+/// Complete runs that ended in the same phase, one of each seed: what is the same by nature is no second sample.
+Sample sample_of(const Group& group, const std::vector<RunData>& runs,
+                 const std::vector<const PhaseData*>& last) {
+  Sample sample;
+  std::set<std::string> seeds;
+  for (const std::size_t k : group.runs) {
+    const Key* seed = runs[k].key("seed");
+    if (!runs[k].ended || last[k] == nullptr)
+      sample.left_out.push_back(runs[k].label + " has not ended");
+    else if (!sample.runs.empty() && last[k]->name != last[sample.runs.front()]->name)
+      sample.left_out.push_back(fmt::format("{} ended in phase {}", runs[k].label, last[k]->name));
+    else if (seed != nullptr && !seeds.insert(seed->value).second)
+      sample.left_out.push_back(fmt::format("{} repeats seed {}", runs[k].label, seed->value));
+    else
+      sample.runs.push_back(k);
+  }
+  return sample;
+}
+
+}  // namespace
+
 void add_groups(HtmlPage& page, const std::vector<RunData>& runs, const std::vector<const PhaseData*>& last) {
   const std::vector<Group> groups = groups_of(runs);
   if (groups.size() == runs.size()) return;
   page.heading("Chance: runs that differ only in their seed");
   std::vector<std::string> words, header{"measure", "unit"};
+  std::vector<Sample> samples;
   for (const Group& g : groups) {
+    samples.push_back(sample_of(g, runs, last));
+    const Sample& s = samples.back();
     std::string names;
-    for (const std::size_t k : g.runs) names += (names.empty() ? "" : ", ") + runs[k].label;
-    words.push_back(
-        fmt::format("{}: {} run{} ({})", g.label, g.runs.size(), g.runs.size() == 1 ? "" : "s", names));
+    for (const std::size_t k : s.runs) names += (names.empty() ? "" : ", ") + runs[k].label;
+    words.push_back(fmt::format("{}: {} run{} ({}){}{}", g.label, s.runs.size(),
+                                s.runs.size() == 1 ? "" : "s", names,
+                                s.left_out.empty() ? "" : "; left out: ", fmt::join(s.left_out, ", ")));
     header.push_back(g.label);
     if (&g != &groups.front()) header.push_back(fmt::format("{} against {}", g.label, groups.front().label));
   }
@@ -122,13 +157,12 @@ void add_groups(HtmlPage& page, const std::vector<RunData>& runs, const std::vec
     std::vector<std::vector<double>> values(groups.size());
     double largest = 0.0;
     for (std::size_t g = 0; g < groups.size(); ++g)
-      for (const std::size_t k : groups[g].runs)
-        if (last[k]) values[g].push_back(last[k]->measure(m.name));
+      for (const std::size_t k : samples[g].runs) values[g].push_back(last[k]->measure(m.name));
     for (const auto& v : values) largest = std::max(largest, largest_of(v));
     const DisplayUnit unit = display_unit(largest, m.unit);
     std::vector<std::string> cells{measure_words(m.name), unit.name};
     for (std::size_t g = 0; g < groups.size(); ++g) {
-      cells.push_back(mean_text(statistic_of(values[g]), groups[g].runs.size(), unit));
+      cells.push_back(mean_text(statistic_of(values[g]), samples[g].runs.size(), unit));
       if (g > 0)
         cells.push_back(verdict_text(compare_means(statistic_of(values[0]), statistic_of(values[g])), unit));
     }

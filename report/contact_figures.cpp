@@ -44,14 +44,18 @@ std::optional<Illustration> contact_force_distribution(const Beside& list) {
   for (const Labelled& one : list) {
     if (!one.phase->detail || !one.phase->detail->forces) continue;
     const Histogram& h = *one.phase->detail->forces;
-    Curve curve{one.label, {}, h.heights};
-    for (std::size_t k = 0; k < h.heights.size(); ++k) curve.x.push_back(0.5 * (h.edges[k] + h.edges[k + 1]));
+    Curve curve{one.label, {}, {}};
+    // The last bin holds all that is larger too, which would stand there as a peak.
+    for (std::size_t k = 0; k + 1 < h.heights.size(); ++k) {
+      curve.x.push_back(0.5 * (h.edges[k] + h.edges[k + 1]));
+      curve.y.push_back(h.heights[k]);
+    }
     figure.curves.push_back(std::move(curve));
   }
   return illustrate(
       std::move(figure),
       "A straight line at the right means that strong contacts become rarer exponentially; a long tail "
-      "that few contacts carry much.");
+      "that few contacts carry much. The few above six times the mean are not drawn.");
 }
 
 }  // namespace pulvis::report

@@ -65,8 +65,10 @@ void advise(const RunData& run, const PhaseData& phase, const JudgementRules& ru
   if (!run.ended)
     j.to_try.push_back("The run has not ended: let it go on (pulvis run ... --resume) before judging.");
   const double diameter = parcel_diameter(run, phase);
+  // Of all parcels, as a phase until "rest" asks; one that ended so need not be told.
   const double count = phase.measure("fill_count"), mass = phase.measure("fill_mass");
-  const double moving = phase.measure("kinetic_energy_translational") / count;
+  const double moving =
+      phase.ended_by == "rest" ? none : phase.measure("kinetic_energy_translational") / run.parcels;
   const double still = rules.moving * mass / count * 9.81 * diameter;
   if (std::isfinite(moving) && std::isfinite(still) && moving > still)
     j.to_try.push_back(

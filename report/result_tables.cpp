@@ -30,10 +30,14 @@ std::string windows_of(const std::vector<const PhaseData*>& phases, const std::s
 
 std::vector<Scalar> measures_of(const std::vector<const PhaseData*>& phases) {
   std::vector<Scalar> list;
-  for (const PhaseData* phase : phases)
+  const auto is_new = [&](const Scalar& m) {
+    return std::none_of(list.begin(), list.end(), [&](const Scalar& s) { return s.name == m.name; });
+  };
+  for (const PhaseData* phase : phases) {
+    if (phase == nullptr) continue;  // a run of which nothing was measured
     for (const Scalar& m : phase->measures)
-      if (std::none_of(list.begin(), list.end(), [&](const Scalar& s) { return s.name == m.name; }))
-        list.push_back(m);
+      if (is_new(m)) list.push_back(m);
+  }
   return list;
 }
 

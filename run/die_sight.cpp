@@ -43,10 +43,25 @@ std::optional<measures::Container> measured_container(const Case& c, const Simul
   return container_of(region, {}, pose.now.turn_back(pull));  // its own frame
 }
 
-std::optional<DieSight> look_into_die(const Case& c, const Simulation& simulation) {
+Rigid placement_of_container(const Case& c, const Simulation& simulation) {
+  const Pose pose = pose_of_die(c, simulation);
+  return has_turned(pose) ? pose.now : Rigid{};
+}
+
+std::optional<DieSight> spheres_in_die(const Case& c, const Simulation& simulation) {
   const auto container = measured_container(c, simulation);
   if (!container) return {};
   DieSight die{*container, look_at(simulation), {}, {}};
+  const Pose pose = pose_of_die(c, simulation);
+  if (has_turned(pose))
+    for (measures::Sphere& sphere : die.sight.spheres) sphere.centre = pose.now.back(sphere.centre);
+  return die;
+}
+
+std::optional<DieSight> look_into_die(const Case& c, const Simulation& simulation) {
+  auto seen = spheres_in_die(c, simulation);
+  if (!seen) return {};
+  DieSight& die = *seen;
   die.forces = forces_in(simulation, die.sight);
   const Pose pose = pose_of_die(c, simulation);
   die.particles.reserve(die.sight.bodies.size());
@@ -55,8 +70,7 @@ std::optional<DieSight> look_into_die(const Case& c, const Simulation& simulatio
     const Vec3 of_die = pose.velocity(pose.now.back(body.position), simulation.model().dt);
     die.particles.push_back({body.position, body.velocity - of_die, body.mass, die.sight.spheres[k].radius});
   }
-  if (!has_turned(pose)) return die;
-  for (measures::Sphere& sphere : die.sight.spheres) sphere.centre = pose.now.back(sphere.centre);
+  if (!has_turned(pose)) return seen;
   for (measures::Particle& p : die.particles) {
     p.position = pose.now.back(p.position);
     p.velocity = pose.now.turn_back(p.velocity);
@@ -67,11 +81,11 @@ std::optional<DieSight> look_into_die(const Case& c, const Simulation& simulatio
   };
   for (measures::PairForce& pair : die.forces.pairs) turn(pair);
   for (measures::WallForce& wall : die.forces.walls) turn(wall);
-  return die;
+  return seen;
 }
 
 std::optional<measures::Fill> fill_of_die(const Case& c, const Simulation& simulation) {
-  const auto die = look_into_die(c, simulation);
+  const auto die = spheres_in_die(c, simulation);
   if (!die) return {};
   return measures::fill_inside(die->sight.spheres, die->sight.masses, die->container);
 }

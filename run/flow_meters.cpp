@@ -79,6 +79,7 @@ std::vector<FlowSince> FlowMeters::in_phase(const Simulation& simulation) const 
 }
 
 std::vector<FlowSince> FlowMeters::since_last_line(const Simulation& simulation) {
+  look(simulation);
   std::vector<FlowSince> list;
   for (std::size_t k = 0; k < meters_.size(); ++k) {
     const double mass = meters_[k].flow().mass() - records_[k].line_mass;

@@ -50,6 +50,18 @@ std::vector<PartSurvey> survey_parts(const Case& c, const DieSight& sight, const
   return list;
 }
 
+/// Of contacts between parcels of which one at least is in the die, N.
+std::vector<double> normal_forces_in(const DieSight& sight) {
+  std::vector<double> list;
+  list.reserve(sight.forces.pairs.size());
+  const auto is_in = [&](std::uint32_t k) {
+    return measures::is_inside(sight.container, sight.particles[k].position);
+  };
+  for (const measures::PairForce& pair : sight.forces.pairs)
+    if (is_in(pair.first) || is_in(pair.second)) list.push_back(normal_force(pair));
+  return list;
+}
+
 std::optional<measures::Stress> stress_in(const DieSight& sight, const DieSurvey& die) {
   if (!(die.fill.volume > 0.0)) return {};
   std::vector<std::uint8_t> in_die;
@@ -64,7 +76,7 @@ std::optional<measures::Stress> stress_in(const DieSight& sight, const DieSurvey
 double field_support(const Case& c) { return measures::support_diameters * mean_parcel_diameter(c); }
 
 std::optional<measures::PorosityField> porosity_of_die(const Case& c, const Simulation& simulation) {
-  const auto sight = look_into_die(c, simulation);
+  const auto sight = spheres_in_die(c, simulation);
   if (!sight) return {};
   return porosity_of(c, solid_of(simulation, *sight).spheres, *sight, surface_of(c, *sight));
 }
@@ -82,7 +94,7 @@ DieSurvey survey_die(const Case& c, const Simulation& simulation, const DieSight
   die.fill = measures::fill_state(seen.spheres, seen.masses, die.surface, sight.container);
   die.coordination = measures::coordination(seen.spheres, seen.contacts, seen.wall_contacts, sight.container);
   die.parts = survey_parts(c, sight, die, solid);
-  die.forces = measures::contact_forces(normal_forces(sight.forces));
+  die.forces = measures::contact_forces(normal_forces_in(sight));
   die.stress = stress_in(sight, die);
   die.layers = measures::layers(sight.particles, sight.forces.pairs, sight.forces.walls, sight.container, 2,
                                 measures::layer_diameters * mean_parcel_diameter(c));

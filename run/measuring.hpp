@@ -30,6 +30,9 @@ struct Measure {
 /// wall's own frame. None if the case measures none.
 std::optional<measures::Container> measured_container(const Case& c, const Simulation& simulation);
 
+/// From the frame of `measured_container` to that of the domain.
+Rigid placement_of_container(const Case& c, const Simulation& simulation);
+
 /// The powder in the frame of `measured_container`, as things stand now.
 struct DieSight {
   measures::Container container;
@@ -42,6 +45,9 @@ double field_support(const Case& c);
 
 /// None if the case measures no die.
 std::optional<DieSight> look_into_die(const Case& c, const Simulation& simulation);
+
+/// The same without forces and particles, which cost more.
+std::optional<DieSight> spheres_in_die(const Case& c, const Simulation& simulation);
 
 /// What is in the die: mass and number of the parcels whose centre is inside; none if no die is measured.
 std::optional<measures::Fill> fill_of_die(const Case& c, const Simulation& simulation);

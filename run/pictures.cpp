@@ -15,10 +15,13 @@
 namespace pulvis {
 namespace {
 
-/// Upright through the middle of the die, square to y where that is level and else to x.
-CutPlane cut_through(const measures::Container& die, const Vec3& up) {
+Vec3 middle_of(const measures::Container& die) {
   const bool box = die.shape == measures::Container::Shape::box;
-  const Vec3 middle = box ? 0.5 * (die.min + die.max) : die.base + (0.5 * die.height) * die.axis;
+  return box ? 0.5 * (die.min + die.max) : die.base + (0.5 * die.height) * die.axis;
+}
+
+/// Upright through the middle of the die, square to y where that is level and else to x.
+CutPlane cut_through(const Vec3& middle, const Vec3& up) {
   // A slight tilt must not turn the picture, hence the tolerance.
   const bool along_y = std::abs(up.y) < std::abs(up.x) + 0.1;
   const Vec3 wish = along_y ? Vec3{0, -1, 0} : Vec3{1, 0, 0};
@@ -69,7 +72,8 @@ Photographer::Photographer(const Case& c, const Simulation& simulation, const st
                               [&](std::uint32_t body) -> const Pose& { return simulation.pose(body); })
                     .mesh;
   base_.up = up_at(c, simulation.time());
-  if (const auto die = measured_container(c, simulation)) cut_ = cut_through(*die, base_.up);
+  if (const auto die = measured_container(c, simulation))
+    cut_ = cut_through(placement_of_container(c, simulation)(middle_of(*die)), base_.up);
   base_.title = c.title.empty() ? c.file : c.title;
   base_.caption =
       fmt::format("after phase \"{}\", t = {}", phase, format_quantity(simulation.time(), dimension::time));

@@ -81,13 +81,6 @@ Checkpoint fresh_start(const Case& c, const Assembly& assembly) {
   return start;
 }
 
-/// What stands there if this process is killed, or the disk is too full for more.
-void write_not_ended(Results& results, RunSummary summary) {
-  summary.exit = Exit::unexpected;
-  summary.reason = "the run has not ended, or it was killed";
-  results.write_result(summary, nullptr, false);
-}
-
 void make_page(const RunRequest& request, const RunFolder& folder) {
   if (!request.make_page) return;
   try {
@@ -122,7 +115,7 @@ Exit run_case(const RunRequest& request) {
   Results results(c, assembly.time_step, assembly.model.walls, folder,
                   start ? start->results : WrittenResults{});
   results.write_case();
-  write_not_ended(results, start ? start->summary : RunSummary{});
+  results.write_result(not_ended(start ? start->summary : RunSummary{}), nullptr, false);
   if (!start) start = fresh_start(c, assembly);
   start->keys = keys;
   RunSummary summary = start->summary;

@@ -15,6 +15,12 @@ std::string text_of(const Escape& e) {
                      e.position.x, e.position.y, e.position.z, norm(e.velocity));
 }
 
+RunSummary not_ended(RunSummary summary) {
+  summary.exit = Exit::unexpected;
+  summary.reason = "the run has not ended, or it was killed";
+  return summary;
+}
+
 void add_warning(RunSummary& summary, const std::string& text) {
   summary.warnings.push_back(text);
   fmt::print(stderr, "warning: {}\n", text);

@@ -35,6 +35,8 @@ struct RunSummary {
   std::vector<std::string> warnings;
 };
 
+/// What stands in result.json while the run goes on, and if it is killed.
+RunSummary not_ended(RunSummary summary);
 void add_warning(RunSummary& summary, const std::string& text);
 /// `overlap` is the largest over the radius.
 void warn_of_overlap(double overlap, RunSummary& summary);

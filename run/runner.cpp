@@ -185,6 +185,8 @@ void Runner::step() {
 
 void Runner::end_phase(const std::string& ended_by) {
   close_phase(ended_by, false);
+  results_.write_result(not_ended(summary()), nullptr,
+                        false);  // so that a report finds the phase after a crash
   procedure_.next_phase();
   if (!procedure_.finished()) {
     loads_.begin_phase(procedure_.phase(), simulation_);

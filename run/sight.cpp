@@ -75,12 +75,4 @@ ForceSight forces_in(const Simulation& simulation, const Sight& sight) {
   return forces;
 }
 
-std::vector<double> normal_forces(const ForceSight& forces) {
-  std::vector<double> list;
-  list.reserve(forces.pairs.size());
-  for (const measures::PairForce& pair : forces.pairs)
-    list.push_back(dot(pair.force, pair.branch) / norm(pair.branch));
-  return list;
-}
-
 }  // namespace pulvis

@@ -32,7 +32,9 @@ struct ForceSight {
 };
 ForceSight forces_in(const Simulation& simulation, const Sight& sight);
 
-/// F_n of each contact between parcels, N, positive pushing apart.
-std::vector<double> normal_forces(const ForceSight& forces);
+/// F_n of a contact between parcels, N, positive pushing apart.
+inline double normal_force(const measures::PairForce& pair) {
+  return dot(pair.force, pair.branch) / norm(pair.branch);
+}
 
 }  // namespace pulvis

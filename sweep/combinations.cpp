@@ -63,7 +63,10 @@ std::string last_part(const std::string& key) { return key.substr(key.rfind('.')
 // "sine-5hz"; with its folder before it where another case is called the same.
 std::vector<std::string> names_of(const std::vector<std::string>& cases) {
   std::vector<std::string> stems, names;
-  for (const std::string& file : cases) stems.push_back(plain(fs::path(file).stem().string()));
+  for (const std::string& file : cases) {
+    stems.push_back(plain(fs::path(file).stem().string()));
+    if (stems.back().empty()) stems.back() = "case";  // of other letters only
+  }
   for (std::size_t k = 0; k < cases.size(); ++k) {
     const bool alone = std::count(stems.begin(), stems.end(), stems[k]) == 1;
     const std::string folder = plain(fs::absolute(cases[k]).parent_path().filename().string());

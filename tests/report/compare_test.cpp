@@ -70,6 +70,31 @@ TEST(Compare, TellsChanceFromDifference) {
   EXPECT_SAYS(page, "no difference");
 }
 
+TEST(Compare, CountsAsChanceOnlyCompleteRunsOfDifferentSeeds) {
+  const ScratchFolder scratch;
+  std::vector<std::string> folders;
+  const auto add = [&](const char* name, SampleRun run) {
+    run.pictures = false;
+    write_sample_run(scratch.file(name), run);
+    folders.push_back(scratch.file(name));
+  };
+  add("one", {.seed = 1, .porosity = 0.480});
+  add("again", {.seed = 1, .porosity = 0.480});
+  add("two", {.seed = 2, .porosity = 0.484});
+  add("stopped", {.seed = 3, .porosity = 0.600, .ended = false});
+  add("empty", {.seed = 4, .ended = false, .measures = false});
+  auto nothing = tests::Json::parse(content_of(scratch.file("empty/result.json")));
+  nothing["phases"] = tests::Json::array();
+  put(scratch.file("empty/result.json"), nothing.dump());
+  report::write_comparison(folders, scratch.file("out"));
+  const std::string page = content_of(scratch.file("out/comparison.html"));
+  EXPECT_SAYS(
+      page,
+      "like one: 2 runs (one, two); left out: again repeats seed 1, stopped has not ended, empty has not "
+      "ended");
+  EXPECT_SAYS(page, "0.482 ± 0.0028");
+}
+
 TEST(Compare, RefusesRunsOfDifferentDies) {
   const ScratchFolder scratch;
   write_sample_run(scratch.file("a"));

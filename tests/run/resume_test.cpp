@@ -120,6 +120,24 @@ TEST(KilledRun, EndsInTheSameBytesHoweverOftenItIsKilled) {
   EXPECT_TRUE(vtk_reads_all_of(place.out));
 }
 
+TEST(KilledRun, LeavesAResultWithThePhasesThatHaveEnded) {
+  const Place place;
+  Process run(place.command({"--threads", "1"}));
+  const auto phases = [&] {
+    const Json result = Json::parse(text_of(place.out + "/result.json"), nullptr, false);
+    return result.is_object() ? result.at("phases").size() : 0u;
+  };
+  ASSERT_TRUE(place.has_reached(1));
+  for (int look = 0; look < 20000 && phases() == 0; ++look)
+    if (run.wait(0.001)) break;
+  run.signal(SIGKILL);
+  run.wait(10.0);
+  const Json result = json_of(place.out + "/result.json");
+  EXPECT_GE(result.at("phases").size(), 1u);
+  EXPECT_EQ(result.at("phases")[0].at("name"), "fill");
+  EXPECT_TRUE(result.at("phases")[0].at("measures").contains("porosity_mean"));
+}
+
 TEST(KilledRun, LosesWhatItWroteAfterTheCheckpointAndMakesItAgain) {
   const Place place;
   ASSERT_EQ(place.run({"--threads", "1", "--max-wall", "0 s"}).exit, 75);
