@@ -16,12 +16,4 @@ Energies energies(std::span<const Body> bodies, const Vec3& gravity, const Vec3&
   };
 }
 
-std::optional<Energies> energies_per_body(std::span<const Body> bodies, const Vec3& gravity,
-                                          const Vec3& origin) {
-  if (bodies.empty()) return std::nullopt;
-  const Energies all = energies(bodies, gravity, origin);
-  const auto count = static_cast<double>(bodies.size());
-  return Energies{all.translational / count, all.rotational / count, all.potential / count};
-}
-
 }  // namespace pulvis::measures

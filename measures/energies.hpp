@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-#include <optional>
 #include <span>
 
 #include "engine/math/vec3.hpp"
@@ -27,9 +26,5 @@ struct Energies {
 
 /// Sums over all bodies, in an order fixed by their places in the list (pairwise).
 Energies energies(std::span<const Body> bodies, const Vec3& gravity, const Vec3& origin = {});
-
-/// The same per body; none if there are no bodies.
-std::optional<Energies> energies_per_body(std::span<const Body> bodies, const Vec3& gravity,
-                                          const Vec3& origin = {});
 
 }  // namespace pulvis::measures

@@ -29,9 +29,4 @@ PeriodicImages periodic_images(std::span<const Sphere> spheres, const Box& domai
   return all;
 }
 
-std::vector<Sphere> with_periodic_images(std::span<const Sphere> spheres, const Box& domain,
-                                         const std::array<bool, 3>& periodic) {
-  return periodic_images(spheres, domain, periodic).spheres;
-}
-
 }  // namespace pulvis::measures

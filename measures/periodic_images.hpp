@@ -22,8 +22,4 @@ struct PeriodicImages {
 PeriodicImages periodic_images(std::span<const Sphere> spheres, const Box& domain,
                                const std::array<bool, 3>& periodic);
 
-/// Its spheres alone.
-std::vector<Sphere> with_periodic_images(std::span<const Sphere> spheres, const Box& domain,
-                                         const std::array<bool, 3>& periodic);
-
 }  // namespace pulvis::measures

@@ -34,4 +34,8 @@ class Document {
   std::vector<std::string> warnings_;
 };
 
+/// All figures of a page: of the phases of `list` side by side, of those of `cut` in three cuts, of the runs over time.
+void add_figures(Document& document, const Beside& cut, const Beside& list,
+                 const std::vector<const RunData*>& runs);
+
 }  // namespace pulvis::report

@@ -88,39 +88,6 @@ void add_pictures(HtmlPage& page, const RunData& run) {
   page.images(images);
 }
 
-/// After each phase, what `has` finds something in.
-template <class Has>
-Beside phases_with(const RunData& run, const Has& has) {
-  Beside list;
-  for (const PhaseData& p : run.phases)
-    if (has(p)) list.push_back({p.name, &p});
-  return list;
-}
-
-void add_figures(Document& document, const RunData& run) {
-  HtmlPage& page = document.page();
-  const Beside detailed = phases_with(run, [](const PhaseData& p) { return p.detail.has_value(); });
-  const Beside pressed = phases_with(run, [](const PhaseData& p) { return p.wall_pressure.has_value(); });
-  const Beside last = detailed.empty() ? Beside{} : Beside{detailed.back()};
-  page.heading("Where it is dense and where loose");
-  document.show(porosity_cuts(last), "No map of the porosity was measured.");
-  if (detailed.size() > 1) document.show(porosity_upright_cuts(detailed), "");
-  document.show(porosity_profiles(detailed), "No profiles of the porosity were measured.");
-  document.show(porosity_histogram(detailed), "No histogram of the porosity was measured.");
-  page.heading("The surface of the powder");
-  document.show(surface_maps(detailed), "The surface was not measured.");
-  document.show(surface_profiles(detailed), "There are no profiles of the surface.");
-  page.heading("Pressure on the walls");
-  document.show(wall_pressure_maps(pressed), "No wall bore any pressure, or it was not measured.");
-  page.heading("Contacts");
-  document.show(coordination_histogram(detailed), "Contacts were not counted.");
-  document.show(contact_force_distribution(detailed), "Contact forces were not measured.");
-  page.heading("Layers");
-  document.show(layer_profiles(detailed), "No layers were measured.");
-  page.heading("Over time");
-  document.show(time_series({&run}), "There is no log and no measures over time.");
-}
-
 }  // namespace
 
 std::vector<std::string> write_report(const std::string& folder, std::string out) {
@@ -136,7 +103,10 @@ std::vector<std::string> write_report(const std::string& folder, std::string out
   add_results(page, run);
   add_parts(page, run);
   add_pictures(page, run);
-  add_figures(document, run);
+  Beside phases;
+  for (const PhaseData& p : run.phases) phases.push_back({p.name, &p});
+  const Beside last = run.last() ? Beside{{run.last()->name, run.last()}} : Beside{};
+  add_figures(document, last, phases, {&run});
   page.heading("The run's own numbers");
   page.table({"", ""}, rows_of(run.numbers));
   page.paragraph(fmt::format("Page made by pulvis {} from the folder {}.", PULVIS_VERSION, run.label));

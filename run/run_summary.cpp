@@ -75,11 +75,13 @@ void print_summary(const Case& c, const std::string& folder, const RunSummary& s
   const Ledger& l = simulation.state().ledger;
   fmt::print("  ledger: {} inserted = {} present + {} removed + {} escaped\n", l.inserted,
              simulation.state().parcels.size(), l.removed, l.escaped);
-  fmt::print("Results in {}:\n  numbers   {}/result.json, {}/log.csv\n", folder, folder, folder);
+  fmt::print("Results in {0}:\n  numbers   {0}/result.json, {0}/measures.csv, {0}/log.csv\n", folder);
   if (c.output.picture)
     fmt::print("  picture   {0}/picture.png{1}\n", folder,
                summary.phases.size() > 1 ? fmt::format(", {}/pictures/after-*.png", folder) : "");
-  fmt::print("  ParaView  {0}/parcels.pvd, {0}/walls.pvd, {0}/porosity.pvd\n", folder);
+  const bool die = c.measures.die || c.measures.region;
+  fmt::print("  ParaView  {0}/parcels.pvd, {0}/walls.pvd{1}\n", folder,
+             die ? fmt::format(", {0}/porosity.pvd, {0}/fields.pvd", folder) : "");
 }
 
 }  // namespace pulvis

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "tests/case/sample_case.hpp"
+#include "tests/output/scratch_folder.hpp"
 
 namespace pulvis {
 namespace {
@@ -18,19 +19,11 @@ namespace fs = std::filesystem;
 /// A folder of case files of its own for each test.
 class Extension : public testing::Test {
  protected:
-  Extension() {
-    std::string name = (fs::temp_directory_path() / "pulvis-extension-XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("cannot make a temporary folder");
-    folder_ = name;
-  }
-  ~Extension() override { fs::remove_all(folder_); }
-
   std::string file(const std::string& name, const std::string& text) const {
-    fs::create_directories((folder_ / name).parent_path());
-    std::ofstream(folder_ / name, std::ios::binary) << text;
+    test::put(path(name), text);
     return path(name);
   }
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  std::string path(const std::string& name) const { return folder_.file(name); }
 
   /// A case that extends base.toml, which is the minimal case.
   Case extended(const std::string& text, const std::vector<Override>& overrides = {}) const {
@@ -51,7 +44,7 @@ class Extension : public testing::Test {
     return text.find(part) != std::string::npos;
   }
 
-  fs::path folder_;
+  const test::ScratchFolder folder_;
 };
 
 std::string meaning(const Case& c, const std::string& key) {

@@ -62,7 +62,7 @@ TEST(Porosity, OfASimpleCubicPackingIsOneMinusPiOverSix) {
 TEST(Porosity, OfAPeriodicBodyCentredPackingIsExactInEveryCell) {
   const auto [spheres, contacts] = packings::body_centred(4, 1.0);
   const Container container = cube(4, 4);
-  const auto all = with_periodic_images(spheres, {{0, 0, 0}, {4, 4, 4}}, {true, true, true});
+  const auto all = periodic_images(spheres, {{0, 0, 0}, {4, 4, 4}}, {true, true, true}).spheres;
   for (const double edge : {4.0, 2.0, 1.0, 0.5}) {  // whole cells of the lattice, and its eighths
     const PorosityField field = porosity(all, flat_surface(container, 4.0), container, edge);
     EXPECT_NEAR(field.mean.value(), 1 - std::sqrt(3.0) / 8 * pi, 1e-12);

@@ -48,21 +48,27 @@ TEST(Compare, DrawsTheMapsOfAllRunsInOneScale) {
   EXPECT_GT(high, 0.60);
 }
 
-TEST(Compare, TellsChanceFromDifference) {
-  const ScratchFolder scratch;
+/// Runs without pictures, by their names.
+struct SampleRuns {
+  ScratchFolder scratch;
   std::vector<std::string> folders;
-  const auto add = [&](const char* name, SampleRun run) {
+
+  void add(const char* name, SampleRun run) {
     run.pictures = false;
     write_sample_run(scratch.file(name), run);
     folders.push_back(scratch.file(name));
-  };
-  add("weak-1", {.seed = 1, .porosity = 0.480});
-  add("weak-2", {.seed = 2, .porosity = 0.482});
-  add("weak-3", {.seed = 3, .porosity = 0.484});
-  add("strong-1", {.seed = 1, .porosity = 0.530, .surface_energy = 1e-3});
-  add("strong-2", {.seed = 2, .porosity = 0.532, .surface_energy = 1e-3});
-  report::write_comparison(folders, scratch.file("out"));
-  const std::string page = content_of(scratch.file("out/comparison.html"));
+  }
+};
+
+TEST(Compare, TellsChanceFromDifference) {
+  SampleRuns runs;
+  runs.add("weak-1", {.seed = 1, .porosity = 0.480});
+  runs.add("weak-2", {.seed = 2, .porosity = 0.482});
+  runs.add("weak-3", {.seed = 3, .porosity = 0.484});
+  runs.add("strong-1", {.seed = 1, .porosity = 0.530, .surface_energy = 1e-3});
+  runs.add("strong-2", {.seed = 2, .porosity = 0.532, .surface_energy = 1e-3});
+  report::write_comparison(runs.folders, runs.scratch.file("out"));
+  const std::string page = content_of(runs.scratch.file("out/comparison.html"));
   EXPECT_SAYS(page, "like weak-1: 3 runs (weak-1, weak-2, weak-3)");
   EXPECT_SAYS(page, "like strong-1: 2 runs (strong-1, strong-2)");
   EXPECT_SAYS(page, "0.482 ± 0.002");
@@ -71,23 +77,17 @@ TEST(Compare, TellsChanceFromDifference) {
 }
 
 TEST(Compare, CountsAsChanceOnlyCompleteRunsOfDifferentSeeds) {
-  const ScratchFolder scratch;
-  std::vector<std::string> folders;
-  const auto add = [&](const char* name, SampleRun run) {
-    run.pictures = false;
-    write_sample_run(scratch.file(name), run);
-    folders.push_back(scratch.file(name));
-  };
-  add("one", {.seed = 1, .porosity = 0.480});
-  add("again", {.seed = 1, .porosity = 0.480});
-  add("two", {.seed = 2, .porosity = 0.484});
-  add("stopped", {.seed = 3, .porosity = 0.600, .ended = false});
-  add("empty", {.seed = 4, .ended = false, .measures = false});
-  auto nothing = tests::Json::parse(content_of(scratch.file("empty/result.json")));
+  SampleRuns runs;
+  runs.add("one", {.seed = 1, .porosity = 0.480});
+  runs.add("again", {.seed = 1, .porosity = 0.480});
+  runs.add("two", {.seed = 2, .porosity = 0.484});
+  runs.add("stopped", {.seed = 3, .porosity = 0.600, .ended = false});
+  runs.add("empty", {.seed = 4, .ended = false, .measures = false});
+  auto nothing = tests::Json::parse(content_of(runs.scratch.file("empty/result.json")));
   nothing["phases"] = tests::Json::array();
-  put(scratch.file("empty/result.json"), nothing.dump());
-  report::write_comparison(folders, scratch.file("out"));
-  const std::string page = content_of(scratch.file("out/comparison.html"));
+  put(runs.scratch.file("empty/result.json"), nothing.dump());
+  report::write_comparison(runs.folders, runs.scratch.file("out"));
+  const std::string page = content_of(runs.scratch.file("out/comparison.html"));
   EXPECT_SAYS(
       page,
       "like one: 2 runs (one, two); left out: again repeats seed 1, stopped has not ended, empty has not "
