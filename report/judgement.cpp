@@ -24,6 +24,7 @@ std::vector<std::pair<std::string, std::string>> in_words(const JudgementRules& 
       {"not compared", fmt::format("a part has less than {} of the volume", percent(r.enough_powder))},
       {"mass in the die changed", "by more than " + percent(r.same_mass) + " in the phase"},
       {"stayed as it was", fmt::format("density changed by less than {} in the phase", percent(r.changed))},
+      {"lower third, upper third", "of the layers of cells without those at the floor and at the surface"},
       {"density from lower to upper third worth mending", "more than " + percent(r.worth_mending)},
       {"tilted", fmt::format("more than {:.2g} degrees", r.tilted * 180.0 / std::numbers::pi)},
       {"still moves", fmt::format("translational energy per parcel above {:.1g} m g d", r.moving)},

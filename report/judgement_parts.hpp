@@ -19,6 +19,7 @@ struct Difference {
   std::string sentence;
   double ratio = 0.0;  ///< of the densities; NaN: not compared
 };
+/// The lowest against the highest third, without the layers of cells at the floor and at the surface.
 Difference thirds(const MeasuresFile& m, const JudgementRules& rules);
 
 /// The share by which the density changed in the k-th phase, counted from 0; NaN if it is not known.

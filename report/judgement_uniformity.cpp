@@ -97,10 +97,11 @@ Difference thirds(const MeasuresFile& m, const JudgementRules& rules) {
   bool any = false;
   for (std::size_t k = 0; k < p->position.size(); ++k)
     if (std::isfinite(p->porosity[k]) && p->volume[k] > 0.0) last = k, any = true;
-  if (!any || last < 2) return {};
-  const std::size_t third = (last + 1) / 3;
-  const Stretch low = stretch_of(*p, [&](std::size_t k) { return k < third; });
-  const Stretch high = stretch_of(*p, [&](std::size_t k) { return k > last - third && k <= last; });
+  if (!any || last < 4) return {};
+  // The layers at the floor and at the surface are loose for reasons of their own.
+  const std::size_t third = (last - 1) / 3;
+  const Stretch low = stretch_of(*p, [&](std::size_t k) { return k >= 1 && k <= third; });
+  const Stretch high = stretch_of(*p, [&](std::size_t k) { return k >= last - third && k < last; });
   const double all = stretch_of(*p, [](std::size_t) { return true; }).volume;
   if (!(std::min(low.volume, high.volume) >= rules.enough_powder * all)) return {};
   const double ratio = density_ratio(low.porosity, high.porosity);

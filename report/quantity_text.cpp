@@ -33,7 +33,7 @@ constexpr auto words = std::to_array<std::pair<const char*, const char*>>({
     {"coordination_mean", "contacts per parcel"},
     {"coordination_without_rattlers", "contacts per parcel without rattlers"},
     {"coordination_walls_mean", "contacts with walls per parcel"},
-    {"rattler_share", "share of parcels that bear nothing (rattlers)"},
+    {"rattler_share", "share of parcels with fewer than four contacts (rattlers)"},
     {"contact_force_mean", "mean contact force"},
     {"pressure_mean", "mean pressure in the powder"},
     {"wall_pressure_max", "largest wall pressure on a tile"},
