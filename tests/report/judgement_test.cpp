@@ -30,8 +30,8 @@ TEST(Judgement, SaysByHowMuchTheLowerThirdIsDenser) {
   // Slices at 1/12, 3/12, ..., the lowest and the highest left out: thirds are single slices half the height apart.
   EXPECT_TRUE(
       says(judgement_of({.lower_denser = 0.03}).uniformity, "The lower third of the powder is 1.5 % denser"));
-  EXPECT_TRUE(says(judgement_of({.lower_denser = -0.06}).uniformity,
-                   "The lower third of the powder is 2.9 % looser"));
+  EXPECT_TRUE(
+      says(judgement_of({.lower_denser = -0.06}).uniformity, "The lower third of the powder is 3 % looser"));
   EXPECT_TRUE(says(judgement_of({.lower_denser = 0.0}).uniformity,
                    "The lower third of the powder is as dense as the upper third (difference 0 %)"));
 }
