@@ -1,0 +1,24 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Rows whose work a test program of the suite does, here with more rounds than in ./test."""
+import re
+
+from .common import Result, row, run_test
+
+
+@row("bits", "10,000 single bit flips and truncations of a checkpoint: all detected, none crashes")
+def bits(build, quick):
+    rounds = 1000 if quick else 10000
+    met, said = run_test(build, "tests/run/run_tests", "CheckpointFile.NoticesFlippedBitsAndCutsAnywhere",
+                         {"PULVIS_ROUNDS": str(rounds)})
+    return Result(met, f"{rounds} of {rounds} detected" if met else "not all detected:\n" + said[-2000:],
+                  rounds=rounds)
+
+
+@row("mutations", "10,000 single-edit mutations of the example cases: each checks clean, or exits 3 (4 for a file it "
+                  "names) naming the line that holds the edit")
+def mutations(build, quick):
+    rounds = 500 if quick else 10000
+    met, said = run_test(build, "tests/reliability/mutation_tests", "SlipsOfThePen.*", {"PULVIS_ROUNDS": str(rounds)})
+    line = re.search(r"^\d+ edits: (.*)$", said, re.MULTILINE)
+    says = f"{rounds} edits: {line.group(1)}" if line else said[-2000:]
+    return Result(met, says if met else says + "\n" + said[:3000], rounds=rounds)
