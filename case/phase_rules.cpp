@@ -62,11 +62,11 @@ void motions_have_an_end(const Section& phase, const std::string& criterion, con
     const Setting* cycles = phase.find("cycles");
     if (criterion == "cycles" && i == 0 && repeats && cycles != nullptr &&
         made.end < made.start + cycles->numbers.front() * period * (1.0 - 1e-9))
-      problems.add(names->item_places[i],
-                   fmt::format("{} waits for {:g} cycles of \"{}\", which ends before", phase.path,
-                               cycles->numbers.front(), names->texts[i]),
-                   "expected a later end of the motion, or fewer cycles" +
-                       problems.see(of_motion_and(cycles)));
+      problems.add(
+          names->item_places[i],
+          fmt::format("{} waits for {:g} cycles of \"{}\", which ends before", phase.path,
+                      cycles->numbers.front(), names->texts[i]),
+          "expected a later end of the motion, or fewer cycles" + problems.see(of_motion_and(cycles)));
     if (criterion == "motions" && !ends)
       problems.add(names->item_places[i],
                    fmt::format("{} waits for the end of its motions, and \"{}\" has none", phase.path,

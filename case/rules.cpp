@@ -335,11 +335,11 @@ void sieve_is_whole(const Section& source, ProblemList& problems) {
         "expected both sieve_pitch and sieve_opening, or neither");
   const Setting *pitch = source.find("sieve_pitch"), *opening = source.find("sieve_opening");
   if (pitch == nullptr || opening == nullptr || opening->numbers[0] <= pitch->numbers[0]) return;
-  problems.add(opening->place,
-               fmt::format("{} is wider than the pitch: {} and {}", opening->path,
-                           length_text(opening->numbers[0]), length_text(pitch->numbers[0])),
-               fmt::format("expected at most {}", length_text(pitch->numbers[0])) +
-                   problems.see(places_of({pitch})));
+  problems.add(
+      opening->place,
+      fmt::format("{} is wider than the pitch: {} and {}", opening->path, length_text(opening->numbers[0]),
+                  length_text(pitch->numbers[0])),
+      fmt::format("expected at most {}", length_text(pitch->numbers[0])) + problems.see(places_of({pitch})));
 }
 
 void which_powder(const Section& root, ProblemList& problems) {

@@ -77,7 +77,8 @@ ContactClasses contact_classes(const Case& c, const std::vector<Species>& specie
 /// Tables of the case that say how many parcels a source gives, and how large they are.
 std::vector<std::string> amount_follows_from(const Case& c, const Source& source) {
   const Powder& powder = c.powders[source.powder];
-  return {"sources." + source.name, "powders." + powder.name, "materials." + c.materials[powder.material].name};
+  return {"sources." + source.name, "powders." + powder.name,
+          "materials." + c.materials[powder.material].name};
 }
 
 void check_source(const Case& c, const Source& source, const SourceModel& model, Problems& problems) {
@@ -254,6 +255,7 @@ Assembly assemble(const Case& c) {
   m.body_force = c.body_force;
   m.dt = a.time_step.step;
   m.seed = c.seed;
+  m.largest_overlap = c.contact.largest_overlap;
   check_periodic_widths(m, problems);
   for (const Motion& motion : c.motions) m.motions.push_back(motion.motion);
   check_law(c, a.species, a.pairs, problems);

@@ -40,7 +40,8 @@ auto named_by(const Case& c, const std::string& key, Read&& read) {
   try {
     return read();
   } catch (const Failure& failure) {
-    throw Failure(failure.code(), fmt::format("{}\n  {} names it: {}", failure.what(), place_of(c, key), key));
+    throw Failure(failure.code(),
+                  fmt::format("{}\n  {} names it: {}", failure.what(), place_of(c, key), key));
   }
 }
 

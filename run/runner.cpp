@@ -152,7 +152,7 @@ void Runner::show_progress() {
 
 /// Only between two steps, when all output of the one before is written.
 void Runner::save() {
-  simulation_.require_finite();  // the last good one must not give way to one that leads nowhere
+  simulation_.require_sound();  // the last good one must not give way to one that leads nowhere
   book(summary().looking_time);
   checkpoint_.time_step = simulation_.model().dt;
   checkpoint_.state = simulation_.snapshot();
@@ -221,7 +221,7 @@ void Runner::run(double latest) {
   while (!procedure_.finished()) {
     step();
     const auto ended = procedure_.ended();
-    if (ended) simulation_.require_finite();
+    if (ended) simulation_.require_sound();
     book(summary().stepping_time);
     look(ended.has_value(), procedure_.phase().name);
     if (simulation_.state().step % 16 == 0 || ended) show_progress();

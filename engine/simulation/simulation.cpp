@@ -14,6 +14,7 @@ namespace pulvis {
 namespace {
 
 constexpr std::uint64_t rebuilds_between_sorts = 32;
+constexpr std::uint64_t steps_between_guards = 64;  // they cost a tenth of a step
 constexpr double steps_between_rebuilds = 25.0;  // what the margins of moving parcels aim at
 
 std::vector<std::uint32_t> same_order(std::size_t count) {
@@ -67,6 +68,7 @@ void Simulation::step() {
   const StepNotice notice = begin_step(state_.parcels, model_.domain, field_towards(0.5), model_.dt,
                                        reference_, margin_, threads());
   move_bodies_to(state_.step + 1);
+  require_slow_walls();
   if (notice.outside || notice.too_fast) take_out_escaped(notice);
   // Walls have no periodic images: what wrapped must look anew for those at the other end.
   walls_may_be_left_ = notice.wrapped && has_bounded_walls_;
@@ -78,6 +80,7 @@ void Simulation::step() {
   ++state_.step;
   end_step(state_.parcels, pairs_, walls_, field_towards(-0.5), model_.dt, threads());
   if (!crossings_.empty()) take_out_crossed();
+  if (state_.step % steps_between_guards == 0) require_sound();
 }
 
 // --- sources and motions ---------------------------------------------------------------------------------
@@ -207,25 +210,6 @@ void Simulation::require_nothing_inside(std::size_t body) const {
 }
 
 // --- parcels that leave ----------------------------------------------------------------------------------
-
-void Simulation::fail_at(const char* what, const char* remedy, const Parcel& p) const {
-  throw Failure(
-      Exit::physics,
-      fmt::format("{}: parcel {} at t = {:.6g} s, position ({:.6g}, {:.6g}, {:.6g}) m, velocity ({:.6g}, "
-                  "{:.6g}, {:.6g}) m/s, radius {:.4g} m\n  {}",
-                  what, p.id, time(), p.position.x, p.position.y, p.position.z, p.velocity.x, p.velocity.y,
-                  p.velocity.z, p.radius, remedy));
-}
-
-void Simulation::require_finite() const {
-  const auto finite = [](const Vec3& v) { return std::isfinite(dot(v, v)); };
-  const Parcel* bad = nullptr;
-  for (const Parcel& p : state_.parcels.body)
-    if (!(finite(p.position) && finite(p.velocity) && finite(p.spin)) && (!bad || p.id < bad->id)) bad = &p;
-  if (bad)
-    fail_at("position, velocity or spin is not a finite number",
-            "the time step may be too large (lower time.fraction) or a material constant out of range", *bad);
-}
 
 void Simulation::take_out_escaped(const StepNotice& notice) {
   require_finite();

@@ -58,7 +58,8 @@ std::set<int> places_without(const Lines& lines, std::size_t at, const std::stri
 /// Draws what an edit needs.
 class Pen {
  public:
-  Pen(const std::string& text, std::uint64_t number) : draw_(number, 1882), text_(text), lines_(lines_in(text)) {}
+  Pen(const std::string& text, std::uint64_t number)
+      : draw_(number, 1882), text_(text), lines_(lines_in(text)) {}
 
   Edit edit() {
     switch (below(13)) {
@@ -115,7 +116,8 @@ class Pen {
     Edit edit{text_, fmt::format("line {}: {}", line + 1, what), {static_cast<int>(line) + 1}};
     const Lines now = lines_in(text_);
     // An end of a line that is gone, new or elsewhere is in the line after, too.
-    const bool across = now.size() != lines_.size() || (line + 1 < now.size() && now[line + 1] != lines_[line + 1]);
+    const bool across =
+        now.size() != lines_.size() || (line + 1 < now.size() && now[line + 1] != lines_[line + 1]);
     if (across) edit.places.insert(static_cast<int>(line) + 2);
     for (std::size_t k = line; k < std::min(line + (across ? 2 : 1), lines_.size()); ++k)
       // What has become a comment, or another key or header, is gone from where it was.
@@ -141,7 +143,8 @@ class Pen {
     const std::size_t line = below(lines_.size());
     Lines more = lines_;
     more.insert(more.begin() + static_cast<std::ptrdiff_t>(line), lines_[line]);
-    return {joined(more), fmt::format("line {}: line doubled", line + 1),
+    return {joined(more),
+            fmt::format("line {}: line doubled", line + 1),
             {static_cast<int>(line) + 1, static_cast<int>(line) + 2}};
   }
 
@@ -153,7 +156,9 @@ class Pen {
       if (!says_nothing(lines_[k]) && has(lines_[k])) some.push_back(k);
     return some.empty() ? lines_.size() : some[below(some.size())];
   }
-  static bool has_value(const std::string& line) { return !is_header(line) && line.find('=') != std::string::npos; }
+  static bool has_value(const std::string& line) {
+    return !is_header(line) && line.find('=') != std::string::npos;
+  }
 
   Edit value_from_elsewhere() {
     const std::size_t line = line_with(has_value), other = line_with(has_value);
@@ -164,18 +169,21 @@ class Pen {
   }
 
   Edit unit_changed() {
-    static const std::vector<std::string> units = {"mm", "um", "m", "km", "s", "ms", "h", "kg", "g", "mg", "g/cm^3",
-                                                   "kg/m^3", "Pa", "MPa", "GPa", "Hz", "kHz", "deg", "rad", "m/s",
-                                                   "mm/s", "m/s^2", "J/m^2", "mJ/m^2", "g/s", "kg/s", "", "%", "mn"};
+    static const std::vector<std::string> units = {
+        "mm",     "um",     "m",     "km",     "s",   "ms",   "h",   "kg",  "g",   "mg",
+        "g/cm^3", "kg/m^3", "Pa",    "MPa",    "GPa", "Hz",   "kHz", "deg", "rad", "m/s",
+        "mm/s",   "m/s^2",  "J/m^2", "mJ/m^2", "g/s", "kg/s", "",    "%",   "mn"};
     const auto unit_at = [](const std::string& line) -> std::pair<std::size_t, std::size_t> {
       const std::size_t open = line.find('"'), blank = line.find(' ', open), close = line.find('"', open + 1);
       if (open == std::string::npos || close == std::string::npos || blank > close) return {0, 0};
       return {blank + 1, close};
     };
-    const std::size_t line = line_with([&](const std::string& l) { return has_value(l) && unit_at(l).second > 0; });
+    const std::size_t line =
+        line_with([&](const std::string& l) { return has_value(l) && unit_at(l).second > 0; });
     if (line == lines_.size()) return line_deleted();
     const auto [first, end] = unit_at(lines_[line]);
-    return with_line(line, lines_[line].substr(0, first) + units[below(units.size())] + lines_[line].substr(end),
+    return with_line(line,
+                     lines_[line].substr(0, first) + units[below(units.size())] + lines_[line].substr(end),
                      "unit changed");
   }
 
@@ -190,7 +198,8 @@ class Pen {
     std::size_t at = digit_after_sign(changed);
     for (std::size_t k = at; k < changed.size() && changed[k] != '#'; ++k)
       if (std::isdigit(static_cast<unsigned char>(changed[k])) && draw_.chance(0.5)) at = k;
-    static const std::vector<std::string> instead = {"-1", "0", "9", "00", "1e9", "1e-9", "1e400", ".5", "77", "nan"};
+    static const std::vector<std::string> instead = {"-1",   "0",     "9",  "00", "1e9",
+                                                     "1e-9", "1e400", ".5", "77", "nan"};
     changed.replace(at, 1, instead[below(instead.size())]);
     return with_line(line, changed, "number changed");
   }

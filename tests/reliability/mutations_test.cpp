@@ -56,7 +56,8 @@ Answer check(const std::string& text, const fs::path& file) {
 /// The lines of a file that a message names.
 std::set<int> lines_named(const std::string& message, const fs::path& file) {
   std::set<int> lines;
-  for (std::size_t at = message.find(file.string()); at != std::string::npos; at = message.find(file.string(), at)) {
+  for (std::size_t at = message.find(file.string()); at != std::string::npos;
+       at = message.find(file.string(), at)) {
     at += file.string().size();
     while (message[at] == ':' || message.compare(at, 2, ", ") == 0) {  // "die.toml:14, 17"
       char* end = nullptr;
@@ -103,7 +104,8 @@ TEST(SlipsOfThePen, AreFoundInTheirLineOrChangeNothing) {
     const Answer answer = check(edit.text, file);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
     longest = std::max(longest, seconds);
-    const std::string fault = seconds > 20.0 ? fmt::format("took {:.0f} s", seconds) : fault_of(answer, edit, file);
+    const std::string fault =
+        seconds > 20.0 ? fmt::format("took {:.0f} s", seconds) : fault_of(answer, edit, file);
     if (fault.empty()) {
       ++(answer.exit == Exit::ok ? clean : named);
       continue;
@@ -111,12 +113,13 @@ TEST(SlipsOfThePen, AreFoundInTheirLineOrChangeNothing) {
     ++faults;
     const auto lines = lines_in(edit.text);
     const auto line = static_cast<std::size_t>(std::stoi(edit.what.substr(5)));
-    ADD_FAILURE() << "round " << round << ", " << file.filename() << ", " << edit.what << ": " << fault << "\n"
+    ADD_FAILURE() << "round " << round << ", " << file.filename() << ", " << edit.what << ": " << fault
+                  << "\n"
                   << (line <= lines.size() ? lines[line - 1] : "") << "\n"
                   << answer.message;
   }
-  std::cout << rounds << " edits: " << named << " named in their line, " << clean << " check clean, " << faults
-            << " faults; longest " << longest << " s\n";
+  std::cout << rounds << " edits: " << named << " named in their line, " << clean << " check clean, "
+            << faults << " faults; longest " << longest << " s\n";
 }
 
 }  // namespace

@@ -22,3 +22,18 @@ def mutations(build, quick):
     line = re.search(r"^\d+ edits: (.*)$", said, re.MULTILINE)
     says = f"{rounds} edits: {line.group(1)}" if line else said[-2000:]
     return Result(met, says if met else says + "\n" + said[:3000], rounds=rounds)
+
+
+@row("guards", "numbers that are none, runaways, deep overlaps and leaping walls put into a run: found within 64 steps, "
+               "with parcel, time, place, law and remedy, at less than 1 % of the time")
+def guards(build, quick):
+    met, said = run_test(build, "tests/engine/engine_tests", "Guards.*")
+    return Result(met, "all found" if met else said[-3000:])
+
+
+@row("conservation", "momentum and mass of a closed system: 1e-12 of the sum of all momenta; exact")
+def conservation(build, quick):
+    environment = {} if quick else {"PULVIS_ROUNDS": "100000"}
+    met, said = run_test(build, "tests/reliability/conservation_tests", "ClosedSystem.*", environment)
+    kept = re.findall(r"^\w+: momentum kept.*$", said, re.MULTILINE)
+    return Result(met, "; ".join(kept) if met else said[-2000:])
