@@ -196,8 +196,7 @@ class Builder {
                                      {"shortest_gap", &c.shortest_gap},
                                      {"longest_gap", &c.longest_gap},
                                      {"rolling_viscosity", &c.rolling_viscosity},
-                                     {"twisting_friction", &c.twisting_friction},
-                                     {"largest_overlap", &c.largest_overlap}})
+                                     {"twisting_friction", &c.twisting_friction}})
       *field = section.optional_number(key).value_or(*field);
     c.contact_angle *= 2.0 * pi;  // angles of a case are in cycles
     return c;

@@ -83,7 +83,6 @@ struct ContactChoice {
   double shortest_bridge_gap = 0.01;
   double hamaker_constant = 0.0, shortest_gap = 0.0, longest_gap = 0.0;
   double rolling_viscosity = 0.0, twisting_friction = 0.0;
-  double largest_overlap = 0.5;  ///< over the radius; beyond, a run stops
 };
 
 /// A wall. Which of the fields count depends on its shape.

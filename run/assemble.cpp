@@ -255,7 +255,6 @@ Assembly assemble(const Case& c) {
   m.body_force = c.body_force;
   m.dt = a.time_step.step;
   m.seed = c.seed;
-  m.largest_overlap = c.contact.largest_overlap;
   check_periodic_widths(m, problems);
   for (const Motion& motion : c.motions) m.motions.push_back(motion.motion);
   check_law(c, a.species, a.pairs, problems);

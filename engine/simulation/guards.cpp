@@ -89,8 +89,8 @@ void Simulation::require_shallow() const {
   if (worst)
     fail_at(fmt::format("parcels overlap by {:.0f} % of a radius", 100.0 * deepest).c_str(),
             "the powder is too soft for what presses it, or something squeezes it: raise simulated_modulus, "
-            "or allow "
-            "more by contact.largest_overlap",
+            "or look at "
+            "what moves there",
             *worst);
 }
 

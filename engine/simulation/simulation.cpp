@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::uint64_t rebuilds_between_sorts = 32;
 constexpr std::uint64_t steps_between_guards = 64;  // they cost a tenth of a step
-constexpr double steps_between_rebuilds = 25.0;  // what the margins of moving parcels aim at
+constexpr double steps_between_rebuilds = 25.0;     // what the margins of moving parcels aim at
 
 std::vector<std::uint32_t> same_order(std::size_t count) {
   std::vector<std::uint32_t> index(count);
