@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Time per particle-step and memory on settled beds of growing size: step_time [--threads N] [--jkr]
-// [COUNT...] A bed of 10,000 is settled once and laid side by side, so that all sizes are the same bed.
+// [--look-every STEPS] [COUNT...] A bed of 10,000 is settled once and laid side by side, so that all sizes are the same bed.
 #include <fmt/format.h>
 #include <sys/resource.h>
 
@@ -34,7 +34,7 @@ double peak_bytes() {
 }
 
 void measure(const State& settled, std::size_t count, const scenes::Stuff& stuff,
-             const scenes::LawParts& parts, int threads) {
+             const scenes::LawParts& parts, int threads, int look_every) {
   const auto tiles = static_cast<std::uint32_t>(std::lround(std::sqrt(static_cast<double>(count) / tile)));
   const Model model = scenes::yardstick_model(stuff, parts, width * std::max(tiles, 1u), 0.3);
   Simulation simulation(model, scenes::tiled(settled, width, std::max(tiles, 1u)), threads);
@@ -43,7 +43,9 @@ void measure(const State& settled, std::size_t count, const scenes::Stuff& stuff
   const int steps = static_cast<int>(std::max<std::size_t>(100, 20'000'000 / parcels));
   const auto rebuilds = simulation.rebuilds();
   const double start = now(threads);
-  for (int k = 0; k < steps; ++k) simulation.step();
+  // A run looks at the state every 16 steps or so.
+  for (int k = 1; k <= steps; ++k)
+    simulation.step(k % look_every == 0 || k == steps ? Simulation::Then::look : Simulation::Then::go_on);
   const double per = (now(threads) - start) / steps / static_cast<double>(parcels);
   std::size_t touching = 0;
   for (const auto t : simulation.pairs().touching) touching += t;
@@ -58,13 +60,15 @@ void measure(const State& settled, std::size_t count, const scenes::Stuff& stuff
 }  // namespace
 
 int main(int argc, char** argv) {
-  int threads = 1;
+  int threads = 1, look_every = 16;
   scenes::LawParts parts;
   scenes::Stuff stuff;
   std::vector<std::size_t> counts;
   for (int k = 1; k < argc; ++k) {
     if (!std::strcmp(argv[k], "--threads") && k + 1 < argc)
       threads = std::stoi(argv[++k]);
+    else if (!std::strcmp(argv[k], "--look-every") && k + 1 < argc)
+      look_every = std::stoi(argv[++k]);
     else if (!std::strcmp(argv[k], "--jkr")) {
       parts.normal = "jkr";
       stuff.work_of_adhesion = 0.1;
@@ -76,6 +80,6 @@ int main(int argc, char** argv) {
   const State settled = scenes::settled_yardstick(stuff, parts, width, tile, settling_steps, threads);
   fmt::print("{:>10} {:>8} {:>10} {:>12} {:>10} {:>10} {:>12} {:>12} {:>12}\n", "parcels", "threads",
              "ns/step", "Mp-steps/s", "contacts", "near", "rebuild/step", "bytes", "peak bytes");
-  for (const std::size_t count : counts) measure(settled, count, stuff, parts, threads);
+  for (const std::size_t count : counts) measure(settled, count, stuff, parts, threads, look_every);
   return 0;
 }
