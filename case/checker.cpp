@@ -184,7 +184,8 @@ class Checker {
     problems_.add(entry.place,
                   fmt::format("{} has no meaning where {} is \"{}\"", joined(section.path, entry.key),
                               key.only_when.key, state != nullptr ? *state : ""),
-                  fmt::format("it counts where {}", describe_condition(key.only_when)));
+                  fmt::format("it counts where {}", describe_condition(key.only_when)) +
+                      problems_.see(places_of({section.find(key.only_when.key)})));
     absent_group(key, section);
   }
 

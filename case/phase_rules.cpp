@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "case/build_walls.hpp"
@@ -12,7 +13,7 @@ namespace pulvis::case_file {
 namespace {
 
 void names_once(const Section& root, ProblemList& problems) {
-  std::set<std::string> seen;
+  std::map<std::string, Place> seen;
   for (const Section& phase : root.group("phases")) {
     const Setting* name = phase.find("name");
     if (name == nullptr) continue;
@@ -25,9 +26,10 @@ void names_once(const Section& root, ProblemList& problems) {
     if (text.empty() || text.size() > 64 || !std::all_of(text.begin(), text.end(), plain))
       problems.add(name->place, name->path + " is no name",
                    "expected at most 64 letters a to z, digits, _ or -");
-    if (!seen.insert(text).second)
+    const auto [before, is_first] = seen.emplace(text, name->place);
+    if (!is_first)
       problems.add(name->place, fmt::format("{}: there is a phase \"{}\" before", name->path, text),
-                   "each phase has a name of its own");
+                   "each phase has a name of its own" + problems.see(std::span(&before->second, 1)));
   }
 }
 
@@ -47,22 +49,30 @@ void motions_have_an_end(const Section& phase, const std::string& criterion, con
     const double period = motions::fault(made) ? 0.0 : motions::cycle(made).value_or(0.0);
     const bool repeats = period > 0.0 && std::isfinite(period);
     const bool ends = *kind == "stroke" || *kind == "path" || motion.find("end") != nullptr;
+    const auto of_motion_and = [&](const Setting* other) {
+      std::vector<Place> places = places_in(motion);
+      for (const Place& place : places_of({other})) places.push_back(place);
+      return places;
+    };
     if (criterion == "cycles" && i == 0 && !repeats)
       problems.add(names->item_places[i],
                    fmt::format("{} waits for cycles, and a {} has none", phase.path, *kind),
-                   "expected until = \"time\" or \"motions\", or a motion that repeats");
+                   "expected until = \"time\" or \"motions\", or a motion that repeats" +
+                       problems.see(of_motion_and(phase.find("until"))));
     const Setting* cycles = phase.find("cycles");
     if (criterion == "cycles" && i == 0 && repeats && cycles != nullptr &&
         made.end < made.start + cycles->numbers.front() * period * (1.0 - 1e-9))
-      problems.add(names->item_places[i],
-                   fmt::format("{} waits for {:g} cycles of \"{}\", which ends before", phase.path,
-                               cycles->numbers.front(), names->texts[i]),
-                   "expected a later end of the motion, or fewer cycles");
+      problems.add(
+          names->item_places[i],
+          fmt::format("{} waits for {:g} cycles of \"{}\", which ends before", phase.path,
+                      cycles->numbers.front(), names->texts[i]),
+          "expected a later end of the motion, or fewer cycles" + problems.see(of_motion_and(cycles)));
     if (criterion == "motions" && !ends)
       problems.add(names->item_places[i],
                    fmt::format("{} waits for the end of its motions, and \"{}\" has none", phase.path,
                                names->texts[i]),
-                   "expected an end for this motion, or until = \"time\" or \"cycles\"");
+                   "expected an end for this motion, or until = \"time\" or \"cycles\"" +
+                       problems.see(of_motion_and(phase.find("until"))));
   }
 }
 
@@ -93,7 +103,8 @@ void in_time(const Section& phase, ProblemList& problems) {
   problems.add(at_least->place,
                fmt::format("{} is not below {}: {}", at_least->path, limit->path,
                            format_quantity(at_least->numbers[0], dimension::time)),
-               "expected less than " + format_quantity(limit->numbers[0], dimension::time));
+               "expected less than " + format_quantity(limit->numbers[0], dimension::time) +
+                   problems.see(places_of({limit})));
 }
 
 // A source that no phase opens would be left out without a word.

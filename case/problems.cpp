@@ -2,8 +2,11 @@
 #include "case/problems.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <set>
 #include <tuple>
 
 namespace pulvis {
@@ -74,6 +77,23 @@ std::string CaseError::text_of(const std::vector<Problem>& all) {
   return text;
 }
 
+std::string short_list(const std::vector<std::string>& places) {
+  std::vector<std::pair<std::string, std::set<int>>> files;
+  for (const std::string& place : places) {
+    const std::size_t colon = place.rfind(':');
+    const int line = colon == std::string::npos ? 0 : std::atoi(place.c_str() + colon + 1);
+    const std::string file = line > 0 ? place.substr(0, colon) : place;
+    auto known = std::find_if(files.begin(), files.end(), [&](const auto& f) { return f.first == file; });
+    if (known == files.end()) known = files.insert(files.end(), {file, {}});
+    if (line > 0) known->second.insert(line);
+  }
+  std::string text;
+  for (const auto& [file, lines] : files)
+    text += fmt::format("{}{}{}{}", text.empty() ? "" : " and ", file, lines.empty() ? "" : ":",
+                        fmt::join(lines, ", "));
+  return text;
+}
+
 namespace case_file {
 
 ProblemList::ProblemList(std::string name, std::string_view text) { add_file(std::move(name), text); }
@@ -127,6 +147,12 @@ void ProblemList::throw_if_any() const {
   std::vector<Problem> all;
   for (auto& [place, problem] : sorted) all.push_back(std::move(problem));
   throw CaseError(std::move(all));
+}
+
+std::string ProblemList::see(std::span<const Place> places) const {
+  std::vector<std::string> all;
+  for (const Place& place : places) all.push_back(describe(place));
+  return all.empty() ? "" : "; see " + short_list(all);
 }
 
 std::string ProblemList::describe(const Place& place) const {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -35,6 +36,9 @@ class CaseError : public Failure {
   static std::string text_of(const std::vector<Problem>& all);
 };
 
+/// Places in short, each line once: "die.toml:14, 17 and base.toml:3" of "die.toml:14", "die.toml:17"...
+std::string short_list(const std::vector<std::string>& places);
+
 namespace case_file {
 
 /// Collects problems while a case is read; knows the text of every source to quote from.
@@ -57,6 +61,9 @@ class ProblemList {
 
   /// Throws CaseError with the problems in the order of the file, if there are any.
   void throw_if_any() const;
+
+  /// "; see die.toml:14, 17" for the places of what else a problem follows from; empty if there are none.
+  std::string see(std::span<const Place> places) const;
 
   /// "die.toml:14", "--set key".
   std::string describe(const Place& place) const;

@@ -75,6 +75,15 @@ Case read_case(const std::string& path, const std::vector<Override>& overrides) 
   return read_case_text(text_of_case_file(path), path, overrides);
 }
 
+std::string places_of(const Case& c, const std::vector<std::string>& keys) {
+  std::vector<std::string> places;
+  for (const std::string& asked : keys)
+    for (const ResolvedKey& key : c.keys)
+      if (key.origin != "default" && (key.key == asked || key.key.starts_with(asked + ".")))
+        places.push_back(key.origin);
+  return short_list(places);
+}
+
 std::string place_of(const Case& c, std::string key) {
   while (true) {
     for (const auto& [written, place] : c.origins)

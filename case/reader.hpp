@@ -21,6 +21,10 @@ Case read_case_text(const std::string& text, const std::string& name,
 /// shows when the case is put together; if it is not given, where the nearest table around it is, or the file.
 std::string place_of(const Case& c, std::string key);
 
+/// Where these keys, and all in these tables, are written, in short: "die.toml:14, 17 and base.toml:3". What is not
+/// given is left out; empty if nothing is.
+std::string places_of(const Case& c, const std::vector<std::string>& keys);
+
 /// What a key means: kind, default, range, when it counts; of a table, its keys too. The key may be
 /// written as in the reference ("materials.*.density"), as in a case ("materials.steel.density") or by
 /// its last part. Throws Failure(Exit::usage) with the nearest key for one that does not exist.

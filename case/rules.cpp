@@ -29,7 +29,7 @@ void corners_in_order(const Section& section, ProblemList& problems) {
         max->item_places[axis],
         fmt::format("{} is not above {}.min along {}: {} and {}", max->path, section.path, axis_names[axis],
                     length_text(max->numbers[axis]), length_text(min->numbers[axis])),
-        "expected min < max along each axis");
+        "expected min < max along each axis" + problems.see(places_of({min})));
   }
 }
 
@@ -62,7 +62,8 @@ void cylinder_inside_domain(const Section& region, const Section& domain, Proble
                  fmt::format("{} reaches outside the domain along {}: to {}", region.path, axis_names[axis],
                              length_text(below ? reach->first : reach->second)),
                  fmt::format("expected {} {} ({})", below ? "at least" : "at most",
-                             length_text(bound.numbers[axis]), bound.path));
+                             length_text(bound.numbers[axis]), bound.path) +
+                     problems.see(places_of({&bound})));
   }
 }
 
@@ -83,7 +84,8 @@ void inside_domain(const Section& region, const Section& domain, ProblemList& pr
                  fmt::format("{} lies outside the domain along {}: {}", wrong.path, axis_names[axis],
                              length_text(wrong.numbers[axis])),
                  fmt::format("expected {} {} ({})", below ? "at least" : "at most",
-                             length_text(bound.numbers[axis]), bound.path));
+                             length_text(bound.numbers[axis]), bound.path) +
+                     problems.see(places_of({&bound})));
   }
 }
 
@@ -95,14 +97,24 @@ std::optional<std::pair<double, double>> reach_of(const Section& shape, std::siz
   return std::pair(min->numbers[axis], max->numbers[axis]);
 }
 
+// Where it is written how far a wall reaches, and what else is given.
+std::vector<Place> reach_follows_from(const Section& wall, std::initializer_list<const Setting*> besides) {
+  std::vector<Place> places = places_of(besides);
+  for (const char* key : {"min", "max", "base", "axis", "radius", "height"})
+    if (wall.find(key) != nullptr && wall.find(key)->given) places.push_back(wall.find(key)->place);
+  return places;
+}
+
 // Parcels meet a wall where it is written, not its images: what lies beyond a periodic end holds nothing.
 void wall_fits_periodic_axis(const Section& wall, const Section& domain, std::size_t axis,
                              ProblemList& problems) {
+  const Setting* periodic = domain.find("periodic");
   if (is_shape(wall, "plane")) {
     if (wall.find("normal") == nullptr || wall.unit_vector("normal")[static_cast<int>(axis)] == 0.0) return;
     return problems.add(wall.place_of("normal"),
                         fmt::format("{} cuts the periodic axis {}", wall.path, axis_names[axis]),
-                        fmt::format("expected a normal without a part along {}", axis_names[axis]));
+                        fmt::format("expected a normal without a part along {}", axis_names[axis]) +
+                            problems.see(places_of({periodic})));
   }
   const Setting *low = domain.find("min"), *high = domain.find("max");
   const auto reach = reach_of(wall, axis);
@@ -114,7 +126,8 @@ void wall_fits_periodic_axis(const Section& wall, const Section& domain, std::si
       wall.place,
       fmt::format("{} reaches beyond the domain along the periodic axis {}: {} to {}", wall.path,
                   axis_names[axis], length_text(reach->first), length_text(reach->second)),
-      fmt::format("expected {} to {}", length_text(low->numbers[axis]), length_text(high->numbers[axis])));
+      fmt::format("expected {} to {}", length_text(low->numbers[axis]), length_text(high->numbers[axis])) +
+          problems.see(reach_follows_from(wall, {periodic, low, high})));
 }
 
 void walls_fit_periodic_axes(const Section& root, ProblemList& problems) {
@@ -152,7 +165,8 @@ void pairs_fit_the_law(const Section& root, ProblemList& problems) {
       problems.add(setting.key_place,
                    fmt::format("{} has no meaning where contact.{} is \"{}\"", setting.path,
                                key->only_when.key, *part),
-                   fmt::format("it counts where contact.{}", describe_condition(key->only_when)));
+                   fmt::format("it counts where contact.{}", describe_condition(key->only_when)) +
+                       problems.see(places_of({contact.find(key->only_when.key)})));
     }
 }
 
@@ -177,7 +191,7 @@ void not_below(const Section& section, const std::string& small, const std::stri
   problems.add(section.place_of(large),
                fmt::format("{} is not above {}: {} and {}", high->path, low->path,
                            length_text(high->numbers[0]), length_text(low->numbers[0])),
-               fmt::format("expected {} < {}", small, large));
+               fmt::format("expected {} < {}", small, large) + problems.see(places_of({low})));
 }
 
 void sizes(const Section& powder, ProblemList& problems) {
@@ -204,7 +218,8 @@ void sizes(const Section& powder, ProblemList& problems) {
   problems.add(
       middle->place,
       fmt::format("{} is not between the cut-offs: {}", middle->path, length_text(middle->numbers[0])),
-      fmt::format("expected {} to {}", length_text(low->numbers[0]), length_text(high->numbers[0])));
+      fmt::format("expected {} to {}", length_text(low->numbers[0]), length_text(high->numbers[0])) +
+          problems.see(places_of({low, high})));
 }
 
 // The table lists the sides of all shapes; each shape has its own.
@@ -275,6 +290,19 @@ std::vector<std::pair<std::string, double>> inner_widths(const Section& wall) {
   return widths;
 }
 
+// Where the widths of a wall and the sizes of parcels are written.
+std::vector<Place> sizes_follow_from(const Section& root, const Section& wall) {
+  std::vector<Place> places;
+  for (const char* key : {"min", "max", "radius", "height"})
+    if (wall.find(key) != nullptr && wall.find(key)->given) places.push_back(wall.find(key)->place);
+  for (const Section& powder : root.group("powders")) {
+    const auto sizes = places_in(powder.table("size"));
+    places.insert(places.end(), sizes.begin(), sizes.end());
+    if (powder.find("coarse_graining")->given) places.push_back(powder.find("coarse_graining")->place);
+  }
+  return places;
+}
+
 // In a die of less than three parcels there is nothing to measure, and powder arches at once.
 void die_is_wide_enough(const Section& root, ProblemList& problems) {
   constexpr double least = 3.0;  // parcels
@@ -290,7 +318,8 @@ void die_is_wide_enough(const Section& root, ProblemList& problems) {
           wall.place,
           fmt::format("{} is only {:.2g} parcels wide {}: {}, and the largest parcel is {}", wall.path,
                       width / *parcel, direction, length_text(width), length_text(*parcel)),
-          "expected at least 3 parcels; lower coarse_graining or widen the die");
+          "expected at least 3 parcels; lower coarse_graining or widen the die" +
+              problems.see(sizes_follow_from(root, wall)));
     }
   }
 }
@@ -306,10 +335,11 @@ void sieve_is_whole(const Section& source, ProblemList& problems) {
         "expected both sieve_pitch and sieve_opening, or neither");
   const Setting *pitch = source.find("sieve_pitch"), *opening = source.find("sieve_opening");
   if (pitch == nullptr || opening == nullptr || opening->numbers[0] <= pitch->numbers[0]) return;
-  problems.add(opening->place,
-               fmt::format("{} is wider than the pitch: {} and {}", opening->path,
-                           length_text(opening->numbers[0]), length_text(pitch->numbers[0])),
-               fmt::format("expected at most {}", length_text(pitch->numbers[0])));
+  problems.add(
+      opening->place,
+      fmt::format("{} is wider than the pitch: {} and {}", opening->path, length_text(opening->numbers[0]),
+                  length_text(pitch->numbers[0])),
+      fmt::format("expected at most {}", length_text(pitch->numbers[0])) + problems.see(places_of({pitch})));
 }
 
 void which_powder(const Section& root, ProblemList& problems) {

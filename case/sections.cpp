@@ -64,6 +64,22 @@ const std::string* Section::optional_text(const std::string& key) const {
 const Section& Section::table(const std::string& key) const { return tables.at(key); }
 const std::vector<Section>& Section::group(const std::string& key) const { return groups.at(key); }
 
+std::vector<Place> places_of(std::initializer_list<const Setting*> settings) {
+  std::vector<Place> places;
+  for (const Setting* setting : settings)
+    if (setting != nullptr && setting->given) places.push_back(setting->place);
+  return places;
+}
+
+std::vector<Place> places_in(const Section& section) {
+  std::vector<const Setting*> settings;
+  list_settings(section, settings);
+  std::vector<Place> places;
+  for (const Setting* setting : settings)
+    if (setting->given) places.push_back(setting->place);
+  return places;
+}
+
 std::optional<std::size_t> index_of(const std::vector<Section>& group, const std::string& name) {
   const auto found =
       std::find_if(group.begin(), group.end(), [&](const Section& s) { return s.name == name; });

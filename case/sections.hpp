@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 #include <cstdint>
+#include <initializer_list>
 #include <map>
 #include <optional>
 #include <string>
@@ -66,6 +67,12 @@ struct Section {
  private:
   const Setting& setting(const std::string& key) const;
 };
+
+/// Places of those settings that stand in the file; null pointers are let by.
+std::vector<Place> places_of(std::initializer_list<const Setting*> settings);
+
+/// Places of all that is given in a section and below it.
+std::vector<Place> places_in(const Section& section);
 
 /// The index of the element with this name, if there is one.
 std::optional<std::size_t> index_of(const std::vector<Section>& group, const std::string& name);

@@ -20,7 +20,7 @@ bool as_long(const Section& section, const std::string& list, const std::string&
   problems.add(one->place,
                fmt::format("{} has {} elements, and {} {}", one->path, one->numbers.size(), other,
                            two->numbers.size()),
-               fmt::format("expected one element for each of {}", other));
+               fmt::format("expected one element for each of {}", other) + problems.see(places_of({two})));
   return false;
 }
 
@@ -49,7 +49,7 @@ void motion_makes_sense(const Section& motion, ProblemList& problems) {
     return problems.add(motion.place, motion.path + " is a path without places", "expected x, y or z");
   if (const auto fault = motions::fault(build_motion(motion).motion))
     problems.add(motion.place, fmt::format("{}: {}", motion.path, *fault),
-                 "expected a motion that can be made");
+                 "expected a motion that can be made" + problems.see(places_in(motion)));
 }
 
 void rectangle_has_right_angles(const Section& wall, ProblemList& problems) {
@@ -59,7 +59,7 @@ void rectangle_has_right_angles(const Section& wall, ProblemList& problems) {
     return problems.add(wall.place, wall.path + " has an edge of no length", "expected two edges, e.g. 5 mm");
   if (magnitude(dot(along, across)) > 1e-9 * norm(along) * norm(across))
     problems.add(wall.place_of("across"), wall.path + ": along and across are not at right angles",
-                 "expected edges at right angles");
+                 "expected edges at right angles" + problems.see(places_of({wall.find("along")})));
 }
 
 void hole_is_inside(const Section& wall, ProblemList& problems) {
@@ -67,7 +67,7 @@ void hole_is_inside(const Section& wall, ProblemList& problems) {
   if (hole == nullptr || radius == nullptr || hole->numbers[0] < radius->numbers[0]) return;
   problems.add(hole->place,
                fmt::format("{} is not below {}: {}", hole->path, radius->path, length_text(hole->numbers[0])),
-               "expected less than " + length_text(radius->numbers[0]));
+               "expected less than " + length_text(radius->numbers[0]) + problems.see(places_of({radius})));
 }
 
 /// It stands in the headings of results.
@@ -96,7 +96,7 @@ void bodies_move_as_one(const Section& root, ProblemList& problems) {
     problems.add(wall.place_of("motion"),
                  fmt::format("{} and {} are parts of the body \"{}\", and have different motions", wall.path,
                              entry->second->path, entry->first),
-                 "expected the same motion for both");
+                 "expected the same motion for both" + problems.see(places_of({other, motion, body})));
   }
 }
 

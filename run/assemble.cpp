@@ -26,7 +26,8 @@ void check_coarse_graining(const Case& c, Problems& problems) {
           fmt::format("powders.{}.coarse_graining", p.name),
           fmt::format("powders {} and {} have different coarse_graining ({:g} and {:g}); contacts between "
                       "them would have no similarity\n  give all powders of a case the same factor",
-                      first.name, p.name, first.coarse_graining, p.coarse_graining));
+                      first.name, p.name, first.coarse_graining, p.coarse_graining),
+          {fmt::format("powders.{}.coarse_graining", first.name)});
 }
 
 /// A pair of softened powders has one adhesion, which cannot keep both the pull-off and the sticking speed.
@@ -40,7 +41,8 @@ void check_keep(const Case& c, const Assembly& a, Problems& problems) {
         fmt::format("powders.{}.keep", second.name),
         fmt::format("powders {} and {} are both softened, but differ in what they keep; the adhesion "
                     "between them cannot follow both\n  give them the same keep",
-                    first.name, second.name));
+                    first.name, second.name),
+        {fmt::format("powders.{}.keep", first.name)});
   }
 }
 
@@ -53,7 +55,8 @@ void check_law(const Case& c, const std::vector<Species>& species, const std::ve
     if (law.cohesion->reaches) law.cohesion = pair_law(c.contact, p.real).cohesion;
     for (const std::string& problem : law.problems(p.real, law_choices(c.contact)))
       problems.add("contact",
-                   fmt::format("{} / {}: {}", species[p.first].name, species[p.second].name, problem));
+                   fmt::format("{} / {}: {}", species[p.first].name, species[p.second].name, problem),
+                   {"materials", "powders", "pairs"});
   }
 }
 
@@ -71,9 +74,17 @@ ContactClasses contact_classes(const Case& c, const std::vector<Species>& specie
   return classes;
 }
 
+/// Tables of the case that say how many parcels a source gives, and how large they are.
+std::vector<std::string> amount_follows_from(const Case& c, const Source& source) {
+  const Powder& powder = c.powders[source.powder];
+  return {"sources." + source.name, "powders." + powder.name,
+          "materials." + c.materials[powder.material].name};
+}
+
 void check_source(const Case& c, const Source& source, const SourceModel& model, Problems& problems) {
   for (const auto& [key, message] : source_problems(source, model, expected_parcels(c, source)))
-    problems.add("sources." + source.name + (key.empty() ? "" : "." + key), message);
+    problems.add("sources." + source.name + (key.empty() ? "" : "." + key), message,
+                 amount_follows_from(c, source));
 }
 
 void check_count(const Case& c, Problems& problems) {
@@ -83,7 +94,8 @@ void check_count(const Case& c, Problems& problems) {
           "sources." + source.name,
           fmt::format("sources.{} asks for {:.4g} parcels; a run holds at most {:.0f}\n  ask for less, "
                       "or raise coarse_graining",
-                      source.name, parcels, most_parcels));
+                      source.name, parcels, most_parcels),
+          amount_follows_from(c, source));
 }
 
 /// The parcels of each source that is a bed in a file.
@@ -92,8 +104,10 @@ std::vector<Bed> read_beds(const Case& c, const Box& domain) {
   for (std::size_t k = 0; k < c.sources.size(); ++k) {
     const Source& source = c.sources[k];
     if (source.kind != Source::Kind::file) continue;
-    beds[k] = read_bed(source.path, c.materials[c.powders[source.powder].material].density,
-                       static_cast<std::uint32_t>(species_of_powder(source.powder)), domain);
+    beds[k] = named_by(c, fmt::format("sources.{}.path", source.name), [&] {
+      return read_bed(source.path, c.materials[c.powders[source.powder].material].density,
+                      static_cast<std::uint32_t>(species_of_powder(source.powder)), domain);
+    });
   }
   return beds;
 }
@@ -133,7 +147,8 @@ void check_periodic_widths(const Model& m, Problems& problems) {
           fmt::format(
               "the periodic domain is narrower than three parcels ({}) along {}\n  enlarge it or lower "
               "coarse_graining",
-              in_mm(2.0 * m.largest_radius), "xyz"[axis]));
+              in_mm(2.0 * m.largest_radius), "xyz"[axis]),
+          {"powders"});
 }
 
 /// Distance of a centre to the nearest wall over the radius, and the name of that wall.
@@ -236,7 +251,7 @@ Assembly assemble(const Case& c) {
   problems.throw_if_any();  // what follows asks where walls are
   a.time_step = choose_time_step(c, a.species, a.pairs, m.walls, smallest_radii(c, a.species, beds));
   if (const std::string wrong = step_problem(c, a.time_step); !wrong.empty())
-    problems.add("time.step", wrong);
+    problems.add("time.step", wrong, {"materials", "powders", "contact", "pairs"});
   m.body_force = c.body_force;
   m.dt = a.time_step.step;
   m.seed = c.seed;

@@ -110,7 +110,9 @@ class DumpReader {
     column_.clear();
     std::istringstream words(line_.substr(11));
     std::string word;
-    for (std::size_t k = 0; words >> word; ++k) column_[word] = k;
+    for (std::size_t k = 0; words >> word; ++k)
+      if (!column_.emplace(word, k).second)
+        fail(fmt::format("the dump has two columns \"{}\"", word.substr(0, 40)));
     for (const char* needed : {"id", "x", "y", "z"})
       if (!column_.count(needed)) fail(fmt::format("the dump has no column \"{}\"", needed));
     if (!column_.count("radius") && !column_.count("diameter")) fail("the dump has no column \"radius\"");

@@ -40,8 +40,9 @@ std::vector<Surface> shapes_of(const Wall& wall) {
   return {};
 }
 
-TriangleMesh read_mesh(const Wall& wall, BuiltWalls& built) {
-  MendedMesh mended = mend(read_stl(wall.path), wall.unit);
+TriangleMesh read_mesh(const Case& c, const Wall& wall, BuiltWalls& built) {
+  MendedMesh mended = named_by(c, fmt::format("walls.{}.path", wall.name),
+                               [&] { return mend(read_stl(wall.path), wall.unit); });
   const std::string name = fmt::format("wall {}: {}", wall.name, wall.path.substr(wall.path.rfind('/') + 1));
   built.notes.push_back(describe(mended.report, name));
   const auto warnings = warnings_of(mended.report, name);
@@ -50,8 +51,8 @@ TriangleMesh read_mesh(const Wall& wall, BuiltWalls& built) {
   return std::move(mended.mesh);
 }
 
-void add_mesh(const Wall& wall, Surface like, double largest_radius, BuiltWalls& built) {
-  FacetedWall mesh(read_mesh(wall, built), {wall.feature_angle, largest_radius});
+void add_mesh(const Case& c, const Wall& wall, Surface like, double largest_radius, BuiltWalls& built) {
+  FacetedWall mesh(read_mesh(c, wall, built), {wall.feature_angle, largest_radius});
   mesh.first_surface = static_cast<std::uint32_t>(built.walls.surfaces.size());
   like.kind = Surface::Kind::patch;
   like.mesh = static_cast<std::uint32_t>(built.walls.meshes.size());
@@ -79,7 +80,7 @@ BuiltWalls build_walls(const Case& c, const std::vector<Species>& species, doubl
       s.species = like.species;
       built.walls.surfaces.push_back(s);
     }
-    if (wall.shape == Wall::Shape::mesh) add_mesh(wall, like, largest_radius, built);
+    if (wall.shape == Wall::Shape::mesh) add_mesh(c, wall, like, largest_radius, built);
   }
   return built;
 }

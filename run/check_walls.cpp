@@ -45,7 +45,8 @@ void check_size(const Wall& wall, const Vec3& size, double largest_diameter, Pro
                            "coarse_graining, or check the units of the wall: {}",
                            wall.name, in_mm(width), in_mm(largest_diameter),
                            mesh ? fmt::format("its file may be in {}", wall.unit < 1e-3 ? "mm" : "m")
-                                : "is it in mm?"));
+                                : "is it in mm?"),
+               {"powders"});
 }
 
 void check_within_domain(const Wall& wall, const Vec3& low, const Vec3& high, const Box& domain,
@@ -61,7 +62,8 @@ void check_within_domain(const Wall& wall, const Vec3& low, const Vec3& high, co
                                in_mm(domain.min[axis]), in_mm(domain.max[axis]),
                                wall.shape == Wall::Shape::mesh
                                    ? "check the unit and the offset of the mesh, or the domain"
-                                   : "check the units of the wall, or the domain"));
+                                   : "check the units of the wall, or the domain"),
+                   {"domain"});
       return;
     }
     const bool beyond = low[axis] < domain.min[axis] - rounding || high[axis] > domain.max[axis] + rounding;
@@ -70,7 +72,8 @@ void check_within_domain(const Wall& wall, const Vec3& low, const Vec3& high, co
           "walls." + wall.name,
           fmt::format("walls.{} reaches beyond the domain along the periodic axis {}\n  parcels meet a "
                       "wall, not its images: keep it within the domain",
-                      wall.name, "xyz"[axis]));
+                      wall.name, "xyz"[axis]),
+          {"domain"});
   }
 }
 
@@ -169,11 +172,18 @@ class Keeper {
                                                      : "where the case puts them")
                                  : fmt::format("{} after the phase \"{}\" begins",
                                                format_quantity(since, dimension::time), phase->name);
+    std::vector<std::string> parts;
+    for (const Wall& w : case_.walls) {
+      if (w.body != one && w.body != other) continue;
+      parts.push_back("walls." + w.name);
+      for (const std::size_t m : w.motions) parts.push_back("motions." + case_.motions[m].name);
+    }
     problems_.add(
         "walls." + first->name,
         fmt::format("{} and {} cut into each other at {}, {}\n  move one of them, mend its motion, or give "
                     "them the same body if they belong together",
-                    one, other, place_text(place), when));
+                    one, other, place_text(place), when),
+        parts);
   }
 
   const Case& case_;
@@ -259,7 +269,8 @@ void check_walls_in_region(const Case& c, const Source& source, const Walls& wal
         fmt::format("sources.{}.region", source.name),
         fmt::format("the wall {} passes through sources.{}.region; parcels would appear in the wall\n"
                     "  keep the region on one side of it",
-                    name, source.name));
+                    name, source.name),
+        {"walls." + name.substr(0, name.find('.'))});
   };
   for (const Surface& s : walls.surfaces)
     if (s.kind != Surface::Kind::patch && is_there(s.body)) check(triangles_of(s, domain), s.name);
@@ -311,7 +322,8 @@ void check_wall_speeds(const Case& c, const Walls& walls, double dt, double smal
                  fmt::format("the body {} moves {} in one time step, more than 5 % of the smallest radius "
                              "({})\n  lower the speed of its motions (amplitude, frequency, rate), or "
                              "time.fraction",
-                             walls.bodies[b].name, in_mm(leap), in_mm(smallest_radius)));
+                             walls.bodies[b].name, in_mm(leap), in_mm(smallest_radius)),
+                 {"time", "powders", "materials", "contact", "pairs"});
   }
 }
 

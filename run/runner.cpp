@@ -154,7 +154,7 @@ void Runner::show_progress() {
 
 /// Only between two steps, when all output of the one before is written.
 void Runner::save() {
-  simulation_.require_finite();  // the last good one must not give way to one that leads nowhere
+  simulation_.require_sound();  // the last good one must not give way to one that leads nowhere
   book(summary().looking_time);
   checkpoint_.time_step = simulation_.model().dt;
   checkpoint_.state = simulation_.snapshot();
@@ -233,7 +233,7 @@ void Runner::run(double latest) {
     step(looks ? Simulation::Then::look : Simulation::Then::go_on);
     if (!looks) continue;
     const auto ended = procedure_.ended();
-    if (ended) simulation_.require_finite();
+    if (ended) simulation_.require_sound();
     book(summary().stepping_time);
     look(ended.has_value(), procedure_.phase().name);
     show_progress();

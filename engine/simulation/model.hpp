@@ -23,6 +23,8 @@ struct Model {
   std::vector<SourceModel> sources;
   std::uint64_t seed = 1;
   double smallest_radius = 0.0, largest_radius = 0.0;  ///< m, of all parcels that can appear
+  /// Overlap of two parcels over the smaller radius at which a run stops.
+  double largest_overlap = 0.5;
   /// Scales the margin of the neighbour lists; changes speed, never a bit of the result.
   double skin = 1.0;
   /// A thread is worth waking for this many parcels: below, waiting for each other costs more than it saves.

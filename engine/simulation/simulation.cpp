@@ -14,7 +14,8 @@ namespace pulvis {
 namespace {
 
 constexpr std::uint64_t rebuilds_between_sorts = 32;
-constexpr double steps_between_rebuilds = 25.0;  // what the margins of moving parcels aim at
+constexpr std::uint64_t steps_between_guards = 64;  // they cost a tenth of a step
+constexpr double steps_between_rebuilds = 25.0;     // what the margins of moving parcels aim at
 
 std::vector<std::uint32_t> same_order(std::size_t count) {
   std::vector<std::uint32_t> index(count);
@@ -70,6 +71,7 @@ void Simulation::step(Then then) {
   ahead_ = false;
   const std::size_t escaped_before = state_.escapes.size();
   move_bodies_to(state_.step + 1);
+  require_slow_walls();
   if (notice_.outside || notice_.too_fast) take_out_escaped(notice_);
   // Walls have no periodic images: what wrapped must look anew for those at the other end.
   walls_may_be_left_ = notice_.wrapped && has_bounded_walls_;
@@ -79,12 +81,14 @@ void Simulation::step(Then then) {
                    crossings_);
   ++state_.step;
   const StepBeginning next = beginning();
-  ahead_ = then == Then::go_on && crossings_.empty() && state_.escapes.size() == escaped_before &&
+  const bool guarded = state_.step % steps_between_guards == 0;
+  ahead_ = then == Then::go_on && !guarded && crossings_.empty() && state_.escapes.size() == escaped_before &&
            !a_source_is_due();
   notice_ = sweep({state_.parcels, pairs_, walls_, evaluator_, model_.classes, nearest_, reference_, margin_},
                   {field_towards(-0.5), model_.dt}, ahead_ ? &next : nullptr);
   if (ahead_) drift_ += model_.dt * drift_velocity_;
   if (!crossings_.empty()) take_out_crossed();
+  if (guarded) require_sound();
 }
 
 // --- sources and motions ---------------------------------------------------------------------------------
@@ -220,25 +224,6 @@ void Simulation::require_nothing_inside(std::size_t body) const {
 }
 
 // --- parcels that leave ----------------------------------------------------------------------------------
-
-void Simulation::fail_at(const char* what, const char* remedy, const Parcel& p) const {
-  throw Failure(
-      Exit::physics,
-      fmt::format("{}: parcel {} at t = {:.6g} s, position ({:.6g}, {:.6g}, {:.6g}) m, velocity ({:.6g}, "
-                  "{:.6g}, {:.6g}) m/s, radius {:.4g} m\n  {}",
-                  what, p.id, time(), p.position.x, p.position.y, p.position.z, p.velocity.x, p.velocity.y,
-                  p.velocity.z, p.radius, remedy));
-}
-
-void Simulation::require_finite() const {
-  const auto finite = [](const Vec3& v) { return std::isfinite(dot(v, v)); };
-  const Parcel* bad = nullptr;
-  for (const Parcel& p : state_.parcels.body)
-    if (!(finite(p.position) && finite(p.velocity) && finite(p.spin)) && (!bad || p.id < bad->id)) bad = &p;
-  if (bad)
-    fail_at("position, velocity or spin is not a finite number",
-            "the time step may be too large (lower time.fraction) or a material constant out of range", *bad);
-}
 
 void Simulation::take_out_escaped(const StepNotice& notice) {
   require_finite();

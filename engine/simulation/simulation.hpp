@@ -27,8 +27,9 @@ class Simulation {
   /// Fresh state for a model: no parcels, all at rest.
   static State initial_state(const Model& model);
 
-  /// One time step. Throws Failure(physics) where it cannot go on: a number that is not one, or a parcel
-  /// that moved more than half its radius. Parcels that escape are taken out, counted, and in `escapes`.
+  /// One time step. Throws Failure(physics) where it cannot go on: a number that is not one, a parcel or a wall
+  /// that moved more than half a radius; and, looked for every 64 steps, parcels that overlap too deeply. Parcels that
+  /// escape are taken out, counted, and in `escapes`.
   /// With Then::go_on parcels may have gone on with the next step already, which is faster: until that is made, ask for
   /// nothing but step, time, escapes and the number of parcels. A step in which parcels escape is always whole.
   void step(Then then = Then::look);
@@ -46,6 +47,8 @@ class Simulation {
   /// Throws Failure(physics) naming the first parcel whose numbers are none. A step looks at what the one before it
   /// made; this looks at what the last one made.
   void require_finite() const;
+  /// The same, and for parcels that overlap by more than the model allows.
+  void require_sound() const;
 
   State snapshot() const;
   /// state_hash of the snapshot, without making one.
@@ -95,6 +98,10 @@ class Simulation {
   void take_out_escaped(const StepNotice& notice);
   void take_out_crossed();
   void remove(std::vector<std::uint32_t>& indices);
+  void require_shallow() const;
+  void require_slow_walls() const;
+  /// What a parcel touches, and by which law: for messages.
+  std::string surroundings_of(std::size_t parcel) const;
   [[noreturn]] void fail_at(const char* what, const char* remedy, const Parcel& parcel) const;
 
   /// Rebuilds the near lists and carries the contacts over. `old_index` as in NearPairs::restore.

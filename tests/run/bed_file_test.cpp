@@ -132,6 +132,21 @@ std::string bed_case(const std::string& path) {
                   "\"0.1 ms\"\n\n");
 }
 
+/// Found by fuzzing: rows then have fewer cells than the numbers of the columns say.
+TEST(BedFile, RefusesTwoColumnsOfOneName) {
+  TemporaryFolder folder;
+  const std::string file = folder.file("bed.dump", with(liggghts, "ATOMS id type x y z vx vy vz radius",
+                                                        "ATOMS id type x y z vy vy vz radius"));
+  try {
+    read_bed(file, 1000.0, 0, metre());
+    ADD_FAILURE() << "no error";
+  } catch (const Failure& failure) {
+    EXPECT_EQ(failure.code(), Exit::bad_input);
+    EXPECT_TRUE(has(failure.what(), file + ":9")) << failure.what();
+    EXPECT_TRUE(has(failure.what(), "two columns \"vy\"")) << failure.what();
+  }
+}
+
 TEST(BedFile, GivesTheProgramItsParcels) {
   TemporaryFolder folder;
   folder.file("bed.dump",

@@ -1,0 +1,39 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Rows whose work a test program of the suite does, here with more rounds than in ./test."""
+import re
+
+from .common import Result, row, run_test
+
+
+@row("bits", "10,000 single bit flips and truncations of a checkpoint: all detected, none crashes")
+def bits(build, quick):
+    rounds = 1000 if quick else 10000
+    met, said = run_test(build, "tests/run/run_tests", "CheckpointFile.NoticesFlippedBitsAndCutsAnywhere",
+                         {"PULVIS_ROUNDS": str(rounds)})
+    return Result(met, f"{rounds} of {rounds} detected" if met else "not all detected:\n" + said[-2000:],
+                  rounds=rounds)
+
+
+@row("mutations", "10,000 single-edit mutations of the example cases: each checks clean, or exits 3 (4 for a file it "
+                  "names) naming the line that holds the edit")
+def mutations(build, quick):
+    rounds = 500 if quick else 10000
+    met, said = run_test(build, "tests/reliability/mutation_tests", "SlipsOfThePen.*", {"PULVIS_ROUNDS": str(rounds)})
+    line = re.search(r"^\d+ edits: (.*)$", said, re.MULTILINE)
+    says = f"{rounds} edits: {line.group(1)}" if line else said[-2000:]
+    return Result(met, says if met else says + "\n" + said[:3000], rounds=rounds)
+
+
+@row("guards", "numbers that are none, runaways, deep overlaps and leaping walls put into a run: found within 64 steps, "
+               "with parcel, time, place, law and remedy, at less than 1 % of the time")
+def guards(build, quick):
+    met, said = run_test(build, "tests/engine/engine_tests", "Guards.*")
+    return Result(met, "all found" if met else said[-3000:])
+
+
+@row("conservation", "momentum and mass of a closed system: 1e-12 of the sum of all momenta; exact")
+def conservation(build, quick):
+    environment = {} if quick else {"PULVIS_ROUNDS": "100000"}
+    met, said = run_test(build, "tests/reliability/conservation_tests", "ClosedSystem.*", environment)
+    kept = re.findall(r"^\w+: momentum kept.*$", said, re.MULTILINE)
+    return Result(met, "; ".join(kept) if met else said[-2000:])
