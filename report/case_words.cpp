@@ -66,7 +66,10 @@ std::string wall_words(const Case& c, const Wall& w) {
 
 std::string source_words(const Case& c, const Source& s) {
   if (s.kind == Source::Kind::file) return "a bed read from the file " + s.path;
-  std::string text = s.kind == Source::Kind::pack ? "a random pack" : "a rain";
+  std::string text = s.kind == Source::Kind::rain ? "a rain"
+                     : s.kind == Source::Kind::dense
+                         ? fmt::format("a dense random pack, {:g} solid,", s.solid_fraction)
+                         : "a random pack";
   text += fmt::format(" of {}", c.powders[s.powder].name);
   if (s.target.mass) text += ", " + format_quantity(*s.target.mass, dimension::mass);
   if (s.target.count) text += fmt::format(", {} parcels", *s.target.count);

@@ -127,13 +127,13 @@ void find_radii(const Case& c, const std::vector<Bed>& beds, Model& m) {
 
 void check_periodic_widths(const Model& m, Problems& problems) {
   for (int axis = 0; axis < 3; ++axis)
-    if (m.domain.periodic[axis] && m.domain.extent()[axis] < 6.0 * m.largest_radius)
-      problems.add(
-          "domain",
-          fmt::format(
-              "the periodic domain is narrower than three parcels ({}) along {}\n  enlarge it or lower "
-              "coarse_graining",
-              in_mm(2.0 * m.largest_radius), "xyz"[axis]));
+    if (const double least = m.domain.shear.any() ? 5.0 : 3.0;
+        m.domain.periodic[axis] && m.domain.extent()[axis] < least * 2.0 * m.largest_radius)
+      problems.add("domain",
+                   fmt::format("the {} domain is narrower than {:g} parcels ({}) along {}\n  enlarge "
+                               "it or lower coarse_graining",
+                               m.domain.shear.any() ? "sheared" : "periodic", least,
+                               in_mm(2.0 * m.largest_radius), "xyz"[axis]));
 }
 
 /// Distance of a centre to the nearest wall over the radius, and the name of that wall.
@@ -186,6 +186,10 @@ SourceModel source_model(const Case& c, const Source& source, std::vector<Parcel
   m.target_count = source.target.count;
   m.target_mass = source.target.mass;
   switch (source.kind) {
+    case Source::Kind::dense:
+      m.kind = SourceModel::Kind::dense;
+      m.target_count = static_cast<std::uint64_t>(expected_parcels(c, source));
+      break;
     case Source::Kind::pack:
       m.kind = SourceModel::Kind::pack;
       break;
@@ -204,8 +208,11 @@ SourceModel source_model(const Case& c, const Source& source, std::vector<Parcel
 
 double expected_parcels(const Case& c, const Source& source) {
   if (source.target.count) return static_cast<double>(*source.target.count);
-  if (!source.target.mass) return 0.0;
   const Powder& powder = c.powders[source.powder];
+  if (source.kind == Source::Kind::dense)
+    return std::round(source.solid_fraction * volume(source.region) /
+                      (sphere_volume(0.5) * SizeSampler(parcel_sizes(powder)).mean_cube()));
+  if (!source.target.mass) return 0.0;
   const double mean_mass = c.materials[powder.material].density * sphere_volume(0.5) *
                            SizeSampler(parcel_sizes(powder)).mean_cube();
   return std::round(*source.target.mass / mean_mass);
@@ -226,6 +233,7 @@ Assembly assemble(const Case& c) {
   m.domain.min = c.domain.min;
   m.domain.max = c.domain.max;
   for (int axis = 0; axis < 3; ++axis) m.domain.periodic[axis] = c.domain.periodic[axis];
+  m.domain.shear = c.domain.shear;
   auto beds = read_beds(c, m.domain);
   find_radii(c, beds, m);
   BuiltWalls built = build_walls(c, a.species, m.largest_radius);

@@ -46,6 +46,7 @@ void evaluate_block(ContactBlock& b, std::size_t begin, const ContactClass& cont
   std::uint8_t* touching = &near.touching[begin];
   for (int k = 0; k < b.count; ++k) b.touching[k] = touching[k];
   contact.kernel.gather(b, parcels.body.data(), &near.first[begin], &near.second[begin]);
+  if (b.slide.any()) contact.kernel.images(b, contact.constants.data(), dt);
   contact.kernel.geometry(b, contact.constants.data(), dt);
   if (!contact.kernel.any_in_reach(b, approach)) return;
   contact.kernel.evaluate(b, contact.constants.data(), dt);
@@ -128,11 +129,12 @@ ContactEvaluator::ContactEvaluator(int most_threads, std::size_t classes, double
 }
 
 void ContactEvaluator::pairs(NearPairs& near, const Parcels& parcels, const ContactClasses& classes,
-                             const NearestImage& nearest, double dt, int threads) {
+                             const Images& images, double dt, int threads) {
   constexpr std::size_t size = kernels::block_size;
   parallel_shares(near.slots(), threads, [&](std::size_t from, std::size_t to, int thread) {
     ContactBlock& b = scratch_[static_cast<std::size_t>(thread)].pairs;
-    b.period = nearest.length;
+    b.period = images.periods.length;
+    b.slide = images.slide;
     // A block belongs to the share it begins in.
     from = (from + size - 1) / size * size;
     for (std::size_t c = 0; c < near.class_begin.size(); ++c)

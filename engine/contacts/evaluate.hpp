@@ -24,8 +24,8 @@ class ContactEvaluator {
   /// `approach` is the widest gap at which a contact can begin, m.
   ContactEvaluator(int most_threads, std::size_t classes, double approach);
 
-  void pairs(NearPairs& near, const Parcels& parcels, const ContactClasses& classes,
-             const NearestImage& nearest, double dt, int threads);
+  void pairs(NearPairs& near, const Parcels& parcels, const ContactClasses& classes, const Images& images,
+             double dt, int threads);
   /// Fills `crossings`, ascending in the parcel's index.
   void walls(NearWalls& near, const Parcels& parcels, const Walls& walls, std::span<const Pose> poses,
              const ContactClasses& classes, double dt, int threads, std::vector<Crossing>& crossings);

@@ -62,6 +62,26 @@ inline bool wrap(double& x, double& reference, double low, double high) {
   return true;
 }
 
+/// Brings a parcel that left a sheared box across the gradient axis back as its image, and its reference with it.
+inline bool slide_back(Parcel& p, Vec3& reference, const Box& box, const Slide& slide) {
+  const double x = p.position[slide.gradient];
+  const double out = x >= box.max[slide.gradient] ? 1.0 : x < box.min[slide.gradient] ? -1.0 : 0.0;
+  if (out == 0.0) return false;
+  for (Vec3* at : {&p.position, &reference}) {
+    (*at)[slide.gradient] -= out * slide.height;
+    (*at)[slide.flow] -= out * slide.shift;
+  }
+  p.velocity[slide.flow] -= out * slide.jump;
+  return true;
+}
+
+/// What is left of a parcel's margin at a strain since the lists were made. A strain e shortens no distance r by more
+/// than e r/2 (the smaller stretch of a simple shear is sqrt(1 + e^2/4) - e/2), and pairs that are not listed were
+/// farther apart than both radii, both margins and the reach: each parcel answers for half of it.
+inline double margin_left(double margin, double radius, const ShearedStep& shear) {
+  return margin - 0.5 * magnitude(shear.strain) * (radius + margin + 0.5 * shear.reach);
+}
+
 /// False also where a coordinate is not a number.
 inline bool inside(const Vec3& x, const Box& box) {
   return x.x >= box.min.x && x.x <= box.max.x && x.y >= box.min.y && x.y <= box.max.y && x.z >= box.min.z &&
@@ -70,9 +90,10 @@ inline bool inside(const Vec3& x, const Box& box) {
 
 }  // namespace
 
-StepNotice begin_step(Parcels& parcels, const Box& box, const ForceField& field, double dt,
-                      std::span<Vec3> reference, std::span<const double> margin, int threads) {
+StepNotice begin_step(Parcels& parcels, const Box& box, const ShearedStep& shear, const ForceField& field,
+                      double dt, std::span<Vec3> reference, std::span<const double> margin, int threads) {
   const bool any_periodic = box.periodic[0] || box.periodic[1] || box.periodic[2];
+  const bool sheared = shear.slide.any();
   std::vector<StepNotice> notice(static_cast<std::size_t>(threads < 1 ? 1 : threads));
   parallel_shares(parcels.size(), threads, [&](std::size_t from, std::size_t to, int thread) {
     StepNotice mine;
@@ -82,8 +103,16 @@ StepNotice begin_step(Parcels& parcels, const Box& box, const ForceField& field,
         kick_rotating_first(p, parcels.load[i], field, 0.5 * dt);
       else
         kick(p, parcels.load[i], 0.5 * dt);
-      const Vec3 move = dt * p.velocity;
+      Vec3 move = dt * p.velocity;
+      double left = margin[i];
       p.position += move;
+      if (sheared) {
+        const Vec3 drift = dt * box.flow_velocity(reference[i]);
+        reference[i] += drift;
+        move -= drift;
+        left = margin_left(left, p.radius, shear);
+        slide_back(p, reference[i], box, shear.slide);
+      }
       if (any_periodic)
         for (int axis = 0; axis < 3; ++axis)
           if (box.periodic[axis])
@@ -91,7 +120,7 @@ StepNotice begin_step(Parcels& parcels, const Box& box, const ForceField& field,
       const Vec3 since = p.position - reference[i];
       mine.outside |= !inside(p.position, box) || !(dot(p.spin, p.spin) < 1e300);
       mine.too_fast |= dot(move, move) > 0.25 * (p.radius * p.radius);
-      mine.stale |= dot(since, since) > margin[i] * margin[i];
+      mine.stale |= dot(since, since) > left * left || left < 0.0;
     }
     notice[static_cast<std::size_t>(thread)] = mine;
   });

@@ -18,12 +18,22 @@ struct StepNotice {
   bool wrapped = false;   ///< a parcel came back at the other end of a periodic axis
 };
 
+/// What a step of a sheared box needs besides; of others, what it is by default.
+struct ShearedStep {
+  Slide slide{};        ///< at the end of the step
+  double strain = 0.0;  ///< shear strain since the lists were made, to the end of the step
+  double reach = 0.0;   ///< m, by which the lists reach beyond margins
+};
+
 /// First half of velocity Verlet: v += (F/m) dt/2, omega += (T/I) dt/2, x += v dt; wraps periodic axes.
 /// Velocities then are those of the middle of the step, in step with the displacement they made (synchronised
 /// velocities, D. R. Vyas et al., Comput. Phys. Commun. 310 (2025) 109524). `reference` are the positions the
 /// lists were made at; they wrap along. `field` is that of the beginning of the step.
-StepNotice begin_step(Parcels& parcels, const Box& box, const ForceField& field, double dt,
-                      std::span<Vec3> reference, std::span<const double> margin, int threads);
+///
+/// In a sheared box the references drift with the shear flow, margins are measured against them, and a parcel that
+/// leaves through a face of the gradient axis comes back where its image is, as fast as that.
+StepNotice begin_step(Parcels& parcels, const Box& box, const ShearedStep& shear, const ForceField& field,
+                      double dt, std::span<Vec3> reference, std::span<const double> margin, int threads);
 
 /// Sums each parcel's loads in a fixed order: body forces, pair contacts by the partner's id, walls by
 /// surface; then the second half of velocity Verlet. `field` is that of the end of the step.

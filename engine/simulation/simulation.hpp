@@ -47,6 +47,8 @@ class Simulation {
   const NearWalls& walls() const { return walls_; }
   double time() const { return static_cast<double>(state_.step) * model_.dt; }
   const Pose& pose(std::size_t body) const { return poses_[body]; }
+  /// Where periodic images are at the end of the step.
+  const Images& images() const { return images_; }
   /// Body forces at the end of the step.
   ForceField field() const { return model_.body_force.at(time()); }
   /// Threads in use: no more than are worth waking for so many parcels.
@@ -68,6 +70,7 @@ class Simulation {
   ForceField field_towards(double steps) const {
     return model_.body_force.at(time(), time() + steps * model_.dt);
   }
+  ShearedStep shear_to_next_step() const;
   void insert_due_parcels();
   bool clear_of_walls(const Vec3& centre, double radius) const;
   void move_bodies_to(std::uint64_t step);
@@ -94,7 +97,7 @@ class Simulation {
   Model model_;
   State state_;
   int most_threads_;
-  NearestImage nearest_;
+  Images images_;
   double reach_ = 0.0;
   std::vector<Pose> poses_;
   NearPairs pairs_;
@@ -111,6 +114,7 @@ class Simulation {
   std::vector<double> body_margin_;  ///< m per body
   std::vector<Crossing> crossings_;
   std::uint64_t rebuilds_ = 0;
+  std::uint64_t rebuilt_at_ = 0;  ///< step
 };
 
 }  // namespace pulvis
