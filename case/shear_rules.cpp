@@ -78,6 +78,9 @@ void sheared(const Section& root, ProblemList& problems) {
   if (flow != nullptr && gradient != nullptr && *flow == *gradient)
     problems.add(shear.place_of("gradient"), "domain.shear has its gradient along the flow",
                  "expected two different directions");
+  if (const Setting* rate = shear.find("rate"); rate != nullptr && rate->numbers.front() == 0.0)
+    problems.add(rate->place, "domain.shear.rate is 0",
+                 "take [domain.shear] out, or give a rate that is not 0");
   must_be_periodic(root, shear.place, "domain.shear", problems);
   no_walls(root, "domain.shear", problems);
   no_body_forces(root, problems);
@@ -89,8 +92,10 @@ void dense_source_is_alone(const Section& root, ProblemList& problems) {
   for (const Section& source : root.group("sources")) {
     const std::string* kind = source.optional_text("kind");
     if (kind == nullptr || *kind != "dense") continue;
-    must_be_periodic(root, source.place, source.path, problems);
-    no_walls(root, source.path, problems);
+    if (!root.table("domain").table("shear").given) {  // else said already
+      must_be_periodic(root, source.place, source.path, problems);
+      no_walls(root, source.path, problems);
+    }
     if (root.group("sources").size() > 1)
       problems.add(source.place, source.path + " fills the whole domain, but there are other sources",
                    "expected it alone");

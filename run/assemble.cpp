@@ -248,6 +248,12 @@ Assembly assemble(const Case& c) {
   m.body_force = c.body_force;
   m.dt = a.time_step.step;
   m.seed = c.seed;
+  if (m.domain.shear.any())
+    a.notes.push_back(
+        fmt::format("the domain is sheared along {} across {}: a strain of 1 takes {} or {:.3g} steps",
+                    "xyz"[m.domain.shear.flow], "xyz"[m.domain.shear.gradient],
+                    format_quantity(1.0 / magnitude(m.domain.shear.rate), dimension::time),
+                    1.0 / (magnitude(m.domain.shear.rate) * m.dt)));
   check_periodic_widths(m, problems);
   for (const Motion& motion : c.motions) m.motions.push_back(motion.motion);
   check_law(c, a.species, a.pairs, problems);

@@ -21,7 +21,7 @@ const std::string box = R"(
 min = ["0 mm", "0 mm", "0 mm"]
 max = ["6 mm", "6 mm", "6 mm"]
 periodic = ["x", "y", "z"]
-shear = { rate = "100 1/s", flow = "y", gradient = "x" }
+shear = { rate = "20 1/s", flow = "y", gradient = "x" }
 
 [gravity]
 acceleration = ["0 m/s^2", "0 m/s^2", "0 m/s^2"]
@@ -56,7 +56,8 @@ duration = "10 ms"
 interval = "1 ms"
 
 [output]
-checkpoint_interval = "10 ms"
+picture = false
+report = false
 )";
 
 double measured(const Json& result, const char* name) {
@@ -64,7 +65,7 @@ double measured(const Json& result, const char* name) {
 }
 
 TEST(ShearedBox, IsFilledShearedAndMeasured) {
-  const RunOfCase run(box);
+  const RunOfCase run(with(box, "picture = false", "picture = true"));
   ASSERT_EQ(run.exit(), 0) << run.outcome().err;
   const Json result = run.result();
   EXPECT_EQ(result["ledger"]["inserted"], 256);
@@ -81,7 +82,7 @@ TEST(ShearedBox, IsFilledShearedAndMeasured) {
   for (const char* column :
        {"pressure_Pa", "shear_stress_Pa", "solid_fraction", "granular_temperature_m2_s2"})
     EXPECT_TRUE(has(head, column)) << head;
-  EXPECT_TRUE(std::filesystem::exists(run.out("picture.svg")) || result.contains("pictures"));
+  EXPECT_TRUE(std::filesystem::exists(run.out("picture.png")));
 }
 
 TEST(ShearedBox, GoesOnFromACheckpointAsIfItHadNotBeenLeft) {
@@ -89,7 +90,7 @@ TEST(ShearedBox, GoesOnFromACheckpointAsIfItHadNotBeenLeft) {
   TemporaryFolder folder;
   const std::string file = folder.file("case.toml", box), out = folder / "out";
   ASSERT_EQ(call({"run", file, "--out", out, "--threads", "1", "--max-wall", "0 s"}).exit, 75);
-  ASSERT_EQ(call({"run", file, "--out", out, "--threads", "2", "--resume", "--max-wall", "100 ms"}).exit, 75);
+  ASSERT_EQ(call({"run", file, "--out", out, "--threads", "2", "--resume", "--max-wall", "0 s"}).exit, 75);
   ASSERT_EQ(call({"run", file, "--out", out, "--threads", "2", "--resume"}).exit, 0);
   EXPECT_EQ(json_of(out + "/result.json")["state_hash"], straight.result()["state_hash"]);
   EXPECT_EQ(text_of(out + "/measures.csv"), text_of(straight.out("measures.csv")));
@@ -97,7 +98,7 @@ TEST(ShearedBox, GoesOnFromACheckpointAsIfItHadNotBeenLeft) {
 
 /// Sheared the other way round, everything is a mirror image: stresses that resist have the same sign.
 TEST(ShearedBox, ResistsWhicheverWayItIsSheared) {
-  const RunOfCase back(with(box, "rate = \"100 1/s\"", "rate = \"-100 1/s\""));
+  const RunOfCase back(with(box, "rate = \"20 1/s\"", "rate = \"-20 1/s\""));
   ASSERT_EQ(back.exit(), 0) << back.outcome().err;
   EXPECT_GT(measured(back.result(), "shear_stress"), 0.1 * measured(back.result(), "pressure"));
 }
@@ -151,11 +152,12 @@ material = "beads"
 
 [sources.beads])";
   expect_refused(with(box, "[sources.beads]", wall),
-                 {"case.toml:32", "walls.floor", "no walls beside domain.shear"});
+                 {"case.toml:27", "walls.floor", "no walls beside domain.shear"});
   expect_refused(with(box, R"(["x", "y", "z"])", R"(["x", "y"])"),
                  {"domain.shear needs", "periodic all around"});
   expect_refused(with(box, R"("0 m/s^2"])", R"("-9.81 m/s^2"])"),
                  {"nothing bears weight", "gravity.acceleration"});
+  expect_refused(with(box, "rate = \"20 1/s\"", "rate = \"0 1/s\""), {"domain.shear.rate is 0"});
   expect_refused(with(box, R"(gradient = "x")", R"(gradient = "y")"), {"gradient along the flow"});
   expect_refused(with(box, R"(max = ["6 mm")", R"(max = ["4 mm")"), {"narrower than 5 parcels", "along x"});
   const std::string later = R"([[phases]]
@@ -176,7 +178,7 @@ region = { min = ["1 mm", "1 mm", "1 mm"], max = ["4 mm", "4 mm", "4 mm"] })";
 }
 
 TEST(DenseSource, NeedsAPeriodicDomainForItself) {
-  const std::string at_rest = with(box, R"(shear = { rate = "100 1/s", flow = "y", gradient = "x" })", "");
+  const std::string at_rest = with(box, R"(shear = { rate = "20 1/s", flow = "y", gradient = "x" })", "");
   expect_refused(with(at_rest, R"(["x", "y", "z"])", R"(["x", "y"])"),
                  {"sources.beads needs", "periodic all around"});
   expect_refused(with(at_rest, "[sources.beads]", R"([sources.more]
