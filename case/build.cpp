@@ -179,7 +179,8 @@ class Builder {
                                      {"twisting", &c.twisting},
                                      {"friction_limit", &c.friction_limit},
                                      {"cohesion_in_limit", &c.cohesion_in_limit},
-                                     {"damping_radius", &c.damping_radius}})
+                                     {"damping_radius", &c.damping_radius},
+                                     {"similarity", &c.similarity}})
       *field = section.text(key);
     if (const std::string* form = section.optional_text("bridges_form")) c.bridges_form = *form;
     c.tangential_damping = section.flag("tangential_damping");

@@ -74,6 +74,7 @@ struct ContactChoice {
   std::string cohesion_in_limit = "standard";  ///< standard | without | with | shifted
   std::string damping_radius = "hertz";        ///< hertz | jkr_radius
   std::string bridges_form = "touch";          ///< touch | approach
+  std::string similarity = "stress";           ///< stress | bond | none: of parcels to grains
   bool tangential_damping = true;
   double normal_stiffness = 0.0, characteristic_speed = 0.0, tangential_ratio = 1.0;
   double plastic_ratio = 0.0, adhesion_ratio = 0.0, plasticity_depth = 0.0;

@@ -29,6 +29,14 @@ void check_coarse_graining(const Case& c, Problems& problems) {
                       first.name, p.name, first.coarse_graining, p.coarse_graining));
 }
 
+void check_similarity(const Case& c, Problems& problems) {
+  if (const std::string why = named_law(c.contact).why_not(similarity(c.contact)); !why.empty())
+    problems.add("contact.similarity",
+                 fmt::format("contact.similarity = \"{}\" has no rule for this law: {}\n  take \"stress\", "
+                             "or \"none\" and scale the numbers by hand",
+                             c.contact.similarity, why));
+}
+
 /// A pair of softened powders has one adhesion, which cannot keep both the pull-off and the sticking speed.
 void check_keep(const Case& c, const Assembly& a, Problems& problems) {
   for (const PairProperties& pair : a.pairs) {
@@ -123,6 +131,20 @@ void find_radii(const Case& c, const std::vector<Bed>& beds, Model& m) {
   }
   for (const Bed& bed : beds)
     for (const Parcel& p : bed.parcels) add(p.radius, p.radius);
+}
+
+/// A part of the die that is measured by itself must hold a parcel.
+void check_parts(const Case& c, double largest_diameter, Problems& problems) {
+  for (const MeasuredPart& part : c.measures.parts) {
+    const Vec3 size = part.max - part.min;
+    const double width = std::min({size.x, size.y, size.z});
+    if (width >= largest_diameter) continue;
+    problems.add(
+        "measures.parts." + part.name,
+        fmt::format("measures.parts.{} is {} thin, less than the largest parcel ({})\n  enlarge it or lower "
+                    "coarse_graining",
+                    part.name, in_mm(width), in_mm(largest_diameter)));
+  }
 }
 
 void check_periodic_widths(const Model& m, Problems& problems) {
@@ -223,7 +245,9 @@ Assembly assemble(const Case& c) {
   if (c.powders.empty()) problems.add("powders", "there is no powder\n  add a table [powders.NAME]");
   problems.throw_if_any();
   check_coarse_graining(c, problems);
+  check_similarity(c, problems);
   check_count(c, problems);
+  problems.throw_if_any();  // pairs need the rules
   Assembly a;
   a.species = species_of(c);
   a.pairs = mix_pairs(c, a.species);
@@ -255,6 +279,7 @@ Assembly assemble(const Case& c) {
                     format_quantity(1.0 / magnitude(m.domain.shear.rate), dimension::time),
                     1.0 / (magnitude(m.domain.shear.rate) * m.dt)));
   check_periodic_widths(m, problems);
+  check_parts(c, 2.0 * m.largest_radius, problems);
   for (const Motion& motion : c.motions) m.motions.push_back(motion.motion);
   check_law(c, a.species, a.pairs, problems);
   m.classes = contact_classes(c, a.species, a.pairs);
