@@ -168,25 +168,24 @@ double factor_strain(double fraction, double factor) {
 
 std::vector<Point> points(const Options& options) {
   Points list(options);
-  const int parcels = options.quick ? 300 : 500, more_parcels = options.quick ? 300 : 1000;
-  // Regimes: pressure against shear rate.
-  const std::vector<double> rates =
-      options.quick ? std::vector{1e-3, 3e-3, 1e-2, 3e-2} : std::vector{3e-4, 1e-3, 3e-3, 1e-2, 3e-2, 1e-1};
-  for (const double fraction : {0.50, 0.5875, 0.66})
+  const int parcels = options.quick ? 300 : 500;
+  const auto sweep = [&](double fraction, const std::vector<double>& rates) {
     for (const double rate : rates) list.add("regimes", "hooke", 0.5, fraction, rate, 1.0, parcels, 4.0);
+  };
+  // Regimes: pressure against shear rate.
+  for (const double fraction : {0.50, 0.5875, 0.66})
+    sweep(fraction, options.quick ? std::vector{1e-3, 3e-3, 1e-2, 3e-2}
+                                  : std::vector{3e-4, 1e-3, 3e-3, 1e-2, 3e-2, 1e-1});
   if (!options.quick)
-    for (const double fraction : {0.56, 0.62})
-      for (const double rate : rates) list.add("regimes", "hooke", 0.5, fraction, rate, 1.0, parcels, 4.0);
+    for (const double fraction : {0.56, 0.62}) sweep(fraction, {1e-3, 3e-3, 1e-2, 3e-2, 1e-1});
   // Where the exponent of the rate is 1/2.
   const std::vector<double> smooth =
       options.quick ? std::vector{0.62, 0.63, 0.64, 0.65} : std::vector{0.62, 0.63, 0.635, 0.64, 0.65};
   const std::vector<double> rough =
       options.quick ? std::vector{0.57, 0.58, 0.59, 0.60} : std::vector{0.57, 0.58, 0.585, 0.59, 0.60};
   for (const double rate : {1e-3, 3e-3}) {
-    for (const double fraction : smooth)
-      list.add("jamming", "hooke", 0.0, fraction, rate, 1.0, more_parcels, 5.0);
-    for (const double fraction : rough)
-      list.add("jamming", "hooke", 0.5, fraction, rate, 1.0, more_parcels, 5.0);
+    for (const double fraction : smooth) list.add("jamming", "hooke", 0.0, fraction, rate, 1.0, parcels, 5.0);
+    for (const double fraction : rough) list.add("jamming", "hooke", 0.5, fraction, rate, 1.0, parcels, 5.0);
   }
   // Coarse graining at a given rate.
   std::vector<double> factors = options.factors;
@@ -205,22 +204,20 @@ Study sheared_box() {
   return {
       "sheared-box",
       "A sheared box of soft spheres under coarse graining",
-      "About 500 spheres of one size in a box that is periodic all around and sheared evenly by Lees-Edwards "
-      "boundaries; "
-      "1000 where the jamming fraction is looked for. Restitution 0.7, friction 0.5 or none, k_t/k_n = 2/7. "
-      "Pressure P and "
-      "shear stress tau are means over a strain of 4 or 5 after one of 1, of contacts and of velocities "
-      "about the shear "
-      "flow; dimensionless by k/d of the linear spring (Hooke) or by E (Hertz), shear rates by sqrt(k/(rho "
-      "d^3)) "
-      "or sqrt(E/rho)/d of the grain. Under stress similarity k grows with the factor and E stays, so that a "
-      "larger parcel "
-      "at the same shear rate is one sheared faster in its own units: nothing changes where the flow is "
-      "quasi-static, "
-      "P grows with its square root in the intermediate regime and with its square where inertia rules. The "
-      "number of parcels is the same for each factor. The jamming fraction is where P grows with the root of "
+      "500 spheres of one size in a box that is periodic all around and sheared evenly by Lees-Edwards "
+      "boundaries. Restitution 0.7, friction 0.5 or none, k_t/k_n = 2/7. Pressure P and shear stress tau are "
+      "means, over a strain of 4 or more after one of 1, of what contacts carry and velocities about the "
+      "flow; "
+      "over k/d of the linear spring (Hooke) or E (Hertz). Shear rates are over sqrt(k/(rho d^3)) or "
+      "sqrt(E/rho)/d of the grain. Under stress similarity k grows with the factor and E stays, so that "
+      "larger "
+      "parcels at the same shear rate are sheared faster in their own units: nothing changes where the flow "
+      "is "
+      "quasi-static, P grows with the root of the factor in the intermediate regime and with its square "
+      "where "
+      "inertia rules. There are as many parcels for each factor. The jamming fraction is where P grows with "
       "the "
-      "shear rate, between rates of 0.001 and 0.003.",
+      "root of the shear rate, between rates of 0.001 and 0.003.",
       false,
       points,
       compute,

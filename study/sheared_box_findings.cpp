@@ -69,6 +69,9 @@ double factor_of(const Spot& s) { return s.factor; }
 double pressure_of(const Spot& s) { return s.pressure; }
 double shear_of(const Spot& s) { return s.shear; }
 
+constexpr std::pair<const char*, double (*)(const Spot&)> stresses[] = {{"P", pressure_of},
+                                                                        {"tau", shear_of}};
+
 // --- the three regimes ------------------------------------------------------------------------------------
 
 void judge_regime(const std::vector<Spot>& regimes, const char* name, double fraction, double low,
@@ -141,7 +144,7 @@ void judge_factors(const std::vector<Spot>& factors, const std::string& law, Fin
       f.compare(where + ": exponent of tau in the factor", scaling_source, 2.0, of_shear, Compare::absolute,
                 0.1);
     } else if (fraction > 0.6) {
-      for (const auto& [name, value] : {std::pair{"P", pressure_of}, {"tau", shear_of}}) {
+      for (const auto& [name, value] : stresses) {
         const double grain = value(list.front());
         double worst = grain;
         for (const Spot& s : list)
