@@ -21,7 +21,6 @@
 namespace pulvis::study {
 namespace {
 
-const char* const case_file = "sheared-box.toml";
 // Shares of the smallest time-step limit: about ten steps per contact time of the linear spring, and per that of Hertz
 // at the overlaps of a jammed box.
 constexpr double hooke_step = 0.3, hertz_step = 0.2;
@@ -41,25 +40,24 @@ double time_scale(const Case& c) {
 std::string number(double value) { return fmt::format("{:.17g}", value); }
 
 /// The case with a number of parcels that does not depend on the factor: the box grows with it.
-Case case_of(const Json& settings) {
+Case case_of(const Work& work) {
+  const Json& settings = work.settings;
+  const bool linear = settings.at("law") == "hooke";
   const double factor = settings.at("factor"), fraction = settings.at("solid_fraction");
-  std::vector<Override> set{{"contact.normal", "\"" + settings.at("law").get<std::string>() + "\""},
-                            {"materials.beads.friction", number(settings.at("friction"))},
+  std::vector<Override> set{{"materials.beads.friction", number(settings.at("friction"))},
                             {"sources.beads.solid_fraction", number(fraction)},
                             {"powders.beads.coarse_graining", number(factor)},
+                            {"time.fraction", number(linear ? hooke_step : hertz_step)},
                             {"seed", std::to_string(settings.at("seed").get<int>())}};
-  set.push_back({"time.fraction", number(settings.at("law") == "hooke" ? hooke_step : hertz_step)});
-  if (settings.at("friction") == 0.0) set.push_back({"contact.sliding", "\"none\""});
-  std::string text;
-  for (const CaseText& c : case_texts())
-    if (c.name == case_file) text = c.text;
-  const Case grains = read_case_text(text, case_file, set);
+  if (settings.at("friction") == 0.0) set.push_back({"contact.sliding", "none"});
+  const std::string file = written_case(work.folder, linear ? "sheared-box.toml" : "sheared-box-hertz.toml");
+  const Case grains = read_case(file, set);
   const double diameter = factor * grains.powders[0].size.diameter;
   const double width = diameter * std::cbrt(settings.at("parcels").get<double>() * pi / (6.0 * fraction));
   set.push_back({"domain.max", fmt::format("[\"{0:.17g} m\", \"{0:.17g} m\", \"{0:.17g} m\"]", width)});
-  set.push_back({"domain.shear.rate",
-                 fmt::format("{:.17g} 1/s", settings.at("rate").get<double>() / time_scale(grains))});
-  return read_case_text(text, case_file, set);
+  set.push_back(
+      {"domain.shear.rate", number(settings.at("rate").get<double>() / time_scale(grains)) + " 1/s"});
+  return read_case(file, set);
 }
 
 /// Means over equal blocks of the strain.
@@ -83,7 +81,7 @@ class Means {
 };
 
 Json compute(const Work& work) {
-  const Case c = case_of(work.settings);
+  const Case c = case_of(work);
   Model model = assemble(c).model;
   const double rate = std::fabs(model.domain.shear.rate), strain_of_step = rate * model.dt;
   const auto before =
