@@ -8,6 +8,9 @@
 #include <cmath>
 #include <cstring>
 #include <ctime>
+#include <fstream>
+#include <iterator>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -34,7 +37,7 @@ double peak_bytes() {
 }
 
 void measure(const State& settled, std::size_t count, const scenes::Stuff& stuff,
-             const scenes::LawParts& parts, int threads) {
+             const scenes::LawParts& parts, int threads, int look_every) {
   const auto tiles = static_cast<std::uint32_t>(std::lround(std::sqrt(static_cast<double>(count) / tile)));
   const Model model = scenes::yardstick_model(stuff, parts, width * std::max(tiles, 1u), 0.3);
   Simulation simulation(model, scenes::tiled(settled, width, std::max(tiles, 1u)), threads);
@@ -43,28 +46,32 @@ void measure(const State& settled, std::size_t count, const scenes::Stuff& stuff
   const int steps = static_cast<int>(std::max<std::size_t>(100, 20'000'000 / parcels));
   const auto rebuilds = simulation.rebuilds();
   const double start = now(threads);
-  for (int k = 0; k < steps; ++k) simulation.step();
+  // A run looks at the state every 16 steps or so.
+  for (int k = 1; k <= steps; ++k)
+    simulation.step(k % look_every == 0 || k == steps ? Simulation::Then::look : Simulation::Then::go_on);
   const double per = (now(threads) - start) / steps / static_cast<double>(parcels);
   std::size_t touching = 0;
   for (const auto t : simulation.pairs().touching) touching += t;
   const auto n = static_cast<double>(parcels);
-  fmt::print("{:>10} {:>8} {:>10.1f} {:>12.2f} {:>10.2f} {:>10.2f} {:>12.4f} {:>12.0f} {:>12.0f}\n", parcels,
-             threads, per * 1e9, 1e-6 / per, static_cast<double>(touching) / n,
+  fmt::print("{:>10} {:>8} {:>10.1f} {:>12.2f} {:>10.2f} {:>10.2f} {:>12.4f} {:>12.0f} {:>12.0f}  {}\n",
+             parcels, threads, per * 1e9, 1e-6 / per, static_cast<double>(touching) / n,
              static_cast<double>(simulation.pairs().slots()) / n,
              static_cast<double>(simulation.rebuilds() - rebuilds) / steps,
-             static_cast<double>(simulation.memory()) / n, peak_bytes() / n);
+             static_cast<double>(simulation.memory()) / n, peak_bytes() / n, simulation.hash().substr(0, 8));
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  int threads = 1;
+  int threads = 1, look_every = 16;
   scenes::LawParts parts;
   scenes::Stuff stuff;
   std::vector<std::size_t> counts;
   for (int k = 1; k < argc; ++k) {
     if (!std::strcmp(argv[k], "--threads") && k + 1 < argc)
       threads = std::stoi(argv[++k]);
+    else if (!std::strcmp(argv[k], "--look-every") && k + 1 < argc)
+      look_every = std::stoi(argv[++k]);
     else if (!std::strcmp(argv[k], "--jkr")) {
       parts.normal = "jkr";
       stuff.work_of_adhesion = 0.1;
@@ -73,9 +80,18 @@ int main(int argc, char** argv) {
   }
   if (counts.empty()) counts = {10000, 90000, 1000000};
   fmt::print("{} kernels; settling a bed of {}\n", kernels::name_of(kernels::instruction_set()), tile);
-  const State settled = scenes::settled_yardstick(stuff, parts, width, tile, settling_steps, threads);
+  State settled;
+  const std::string kept = parts.normal == std::string("jkr") ? "/tmp/bed-jkr.bin" : "/tmp/bed.bin";
+  if (std::ifstream in(kept, std::ios::binary); in) {
+    std::vector<char> raw((std::istreambuf_iterator<char>(in)), {});
+    settled = load_state(std::as_bytes(std::span(raw)));
+  } else {
+    settled = scenes::settled_yardstick(stuff, parts, width, tile, settling_steps, threads);
+    const auto raw = save_state(settled);
+    std::ofstream(kept, std::ios::binary).write(reinterpret_cast<const char*>(raw.data()), (long)raw.size());
+  }
   fmt::print("{:>10} {:>8} {:>10} {:>12} {:>10} {:>10} {:>12} {:>12} {:>12}\n", "parcels", "threads",
              "ns/step", "Mp-steps/s", "contacts", "near", "rebuild/step", "bytes", "peak bytes");
-  for (const std::size_t count : counts) measure(settled, count, stuff, parts, threads);
+  for (const std::size_t count : counts) measure(settled, count, stuff, parts, threads, look_every);
   return 0;
 }

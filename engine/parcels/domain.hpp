@@ -22,7 +22,7 @@ struct Box {
 
   Vec3 extent() const { return max - min; }
   /// Velocity of the shear flow at a place, m/s; 0 in a box at rest.
-  Vec3 flow_velocity(const Vec3& x) const {
+  PULVIS_INLINE Vec3 flow_velocity(const Vec3& x) const {
     Vec3 velocity;
     const double middle = 0.5 * (min[shear.gradient] + max[shear.gradient]);
     velocity[shear.flow] = shear.rate * (x[shear.gradient] - middle);
@@ -52,7 +52,7 @@ struct Slide {
     if (s.shift < -0.5 * length) s.shift += length;
     return s;
   }
-  bool any() const { return height > 0.0; }
+  PULVIS_INLINE bool any() const { return height > 0.0; }
 
   /// 1 if a difference `d` along the gradient axis is shortest across the upper face, -1: the lower, else 0.
   PULVIS_INLINE static double crossed(double d, double height) {
