@@ -161,6 +161,7 @@ class Points {
 /// Jammed boxes must agree within 5 %, so that their means need more strain: under Hertz, where pressures scatter more
 /// and steps are longer, most.
 double factor_strain(const std::string& law, double fraction, double factor) {
+  if (fraction < 0.55) return 8.0;  // few contacts at a time
   if (fraction < 0.6) return 4.0;
   if (law == "hertz") return 20.0;
   return factor < 2.0 ? 6.0 : factor < 4.0 ? 10.0 : 12.0;
