@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Time per particle-step and memory on settled beds of growing size: step_time [--threads N] [--jkr]
-// [COUNT...] A bed of 10,000 is settled once and laid side by side, so that all sizes are the same bed.
+// [--look-every STEPS] [COUNT...] A bed of 10,000 is settled once and laid side by side, so that all sizes are the same bed.
 #include <fmt/format.h>
 #include <sys/resource.h>
 
@@ -8,9 +8,6 @@
 #include <cmath>
 #include <cstring>
 #include <ctime>
-#include <fstream>
-#include <iterator>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -53,11 +50,11 @@ void measure(const State& settled, std::size_t count, const scenes::Stuff& stuff
   std::size_t touching = 0;
   for (const auto t : simulation.pairs().touching) touching += t;
   const auto n = static_cast<double>(parcels);
-  fmt::print("{:>10} {:>8} {:>10.1f} {:>12.2f} {:>10.2f} {:>10.2f} {:>12.4f} {:>12.0f} {:>12.0f}  {}\n",
-             parcels, threads, per * 1e9, 1e-6 / per, static_cast<double>(touching) / n,
+  fmt::print("{:>10} {:>8} {:>10.1f} {:>12.2f} {:>10.2f} {:>10.2f} {:>12.4f} {:>12.0f} {:>12.0f}\n", parcels,
+             threads, per * 1e9, 1e-6 / per, static_cast<double>(touching) / n,
              static_cast<double>(simulation.pairs().slots()) / n,
              static_cast<double>(simulation.rebuilds() - rebuilds) / steps,
-             static_cast<double>(simulation.memory()) / n, peak_bytes() / n, simulation.hash().substr(0, 8));
+             static_cast<double>(simulation.memory()) / n, peak_bytes() / n);
 }
 
 }  // namespace
@@ -80,16 +77,7 @@ int main(int argc, char** argv) {
   }
   if (counts.empty()) counts = {10000, 90000, 1000000};
   fmt::print("{} kernels; settling a bed of {}\n", kernels::name_of(kernels::instruction_set()), tile);
-  State settled;
-  const std::string kept = parts.normal == std::string("jkr") ? "/tmp/bed-jkr.bin" : "/tmp/bed.bin";
-  if (std::ifstream in(kept, std::ios::binary); in) {
-    std::vector<char> raw((std::istreambuf_iterator<char>(in)), {});
-    settled = load_state(std::as_bytes(std::span(raw)));
-  } else {
-    settled = scenes::settled_yardstick(stuff, parts, width, tile, settling_steps, threads);
-    const auto raw = save_state(settled);
-    std::ofstream(kept, std::ios::binary).write(reinterpret_cast<const char*>(raw.data()), (long)raw.size());
-  }
+  const State settled = scenes::settled_yardstick(stuff, parts, width, tile, settling_steps, threads);
   fmt::print("{:>10} {:>8} {:>10} {:>12} {:>10} {:>10} {:>12} {:>12} {:>12}\n", "parcels", "threads",
              "ns/step", "Mp-steps/s", "contacts", "near", "rebuild/step", "bytes", "peak bytes");
   for (const std::size_t count : counts) measure(settled, count, stuff, parts, threads, look_every);

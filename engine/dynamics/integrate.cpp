@@ -148,7 +148,7 @@ class ShareOfSweep {
   /// in the store, and its own, are evaluated: nobody asks for its place or velocity after that.
   void run() {
     const auto [from, to] = t_.pairs.share(part_);
-    constexpr std::size_t parcels_at_once = 64;  // their loads are still in the inner caches
+    constexpr std::size_t parcels_at_once = 2048;  // their loads are still in the second cache
     std::vector<std::size_t>& at = t_.evaluator.cursors(part_);
     for (std::size_t c = 0; c < at.size(); ++c) at[c] = t_.pairs.first_block(c, from);
     for (std::size_t begin = from; begin < to; begin += parcels_at_once) {
