@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "apps/report_command.hpp"
+#include "apps/study_command.hpp"
 #include "apps/sweep_command.hpp"
 #include "apps/templates.hpp"
 #include "case/reader.hpp"
@@ -82,8 +83,9 @@ int main(int argc, char** argv) {
   app.footer(
       "Exit codes: 0 completed, 2 usage or results folder in use, 3 invalid case, 4 unreadable input, 5 "
       "physics\n"
-      "(not a number, lost parcel), 6 results cannot be written, 7 internal check, 8 validate: a limit not "
-      "kept,\n"
+      "(not a number, lost parcel), 6 results cannot be written, 7 internal check, 8 validate, study: a "
+      "limit "
+      "not kept,\n"
       "75 stopped with a checkpoint by SIGTERM, SIGUSR1 or --max-wall, 130 Ctrl-C");
   app.set_version_flag("--version", PULVIS_VERSION);
   app.require_subcommand(1);
@@ -164,6 +166,7 @@ int main(int argc, char** argv) {
 
   pulvis::add_report_commands(app);
   pulvis::add_sweep_command(app);
+  pulvis::add_study_command(app);
 
   pulvis::validation::Request validation;
   validation.out = "validation-results";
@@ -207,6 +210,8 @@ int main(int argc, char** argv) {
       result = *reported;
     } else if (const auto swept = pulvis::run_sweep_command(app)) {
       result = *swept;
+    } else if (const auto studied = pulvis::run_study_command(app)) {
+      result = *studied;
     } else if (*check_command) {
       result = check(file, settings);
     } else if (*law_command) {

@@ -36,8 +36,10 @@ constexpr std::array<std::pair<const char*, SizeDistribution::Kind>, 5> size_kin
      {"table", SizeDistribution::Kind::table}}};
 constexpr std::array<std::pair<const char*, Powder::Keep>, 2> keeps{
     {{"pull_off", Powder::Keep::pull_off}, {"sticking_speed", Powder::Keep::sticking_speed}}};
-constexpr std::array<std::pair<const char*, Source::Kind>, 3> source_kinds{
-    {{"pack", Source::Kind::pack}, {"rain", Source::Kind::rain}, {"file", Source::Kind::file}}};
+constexpr std::array<std::pair<const char*, Source::Kind>, 4> source_kinds{{{"pack", Source::Kind::pack},
+                                                                            {"dense", Source::Kind::dense},
+                                                                            {"rain", Source::Kind::rain},
+                                                                            {"file", Source::Kind::file}}};
 constexpr std::array<std::pair<const char*, Phase::Until>, 6> criteria{{{"time", Phase::Until::time},
                                                                         {"inserted", Phase::Until::inserted},
                                                                         {"mass", Phase::Until::mass},
@@ -101,6 +103,11 @@ class Builder {
     result.min = section.vector("min");
     result.max = section.vector("max");
     for (const std::string& axis : section.texts("periodic")) result.periodic[axis.front() - 'x'] = true;
+    if (const Section& shear = section.table("shear"); shear.given) {
+      result.shear.rate = shear.number("rate");
+      result.shear.flow = shear.text("flow").front() - 'x';
+      result.shear.gradient = shear.text("gradient").front() - 'x';
+    }
     result.escape_is_error = section.text("escape") == "error";
     return result;
   }
@@ -172,7 +179,8 @@ class Builder {
                                      {"twisting", &c.twisting},
                                      {"friction_limit", &c.friction_limit},
                                      {"cohesion_in_limit", &c.cohesion_in_limit},
-                                     {"damping_radius", &c.damping_radius}})
+                                     {"damping_radius", &c.damping_radius},
+                                     {"similarity", &c.similarity}})
       *field = section.text(key);
     if (const std::string* form = section.optional_text("bridges_form")) c.bridges_form = *form;
     c.tangential_damping = section.flag("tangential_damping");
@@ -241,8 +249,14 @@ class Builder {
       result.path = (folder / section.text("path")).lexically_normal().string();
       return result;
     }
-    result.region = build_region(section.table("region"));
     result.velocity = section.vector("velocity");
+    if (result.kind == Source::Kind::dense) {
+      result.solid_fraction = section.number("solid_fraction");
+      result.region.min = root_.table("domain").vector("min");
+      result.region.max = root_.table("domain").vector("max");
+      return result;
+    }
+    result.region = build_region(section.table("region"));
     result.target.mass = section.optional_number("mass");
     if (section.find("count") != nullptr)
       result.target.count = static_cast<std::uint64_t>(section.integer("count"));

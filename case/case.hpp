@@ -9,6 +9,7 @@
 #include "engine/dynamics/body_force.hpp"
 #include "engine/math/region.hpp"
 #include "engine/math/vec3.hpp"
+#include "engine/parcels/domain.hpp"
 #include "engine/walls/motions/motion.hpp"
 
 // What a case file says, in SI units and checked: every number is in its range, every name refers to
@@ -73,6 +74,7 @@ struct ContactChoice {
   std::string cohesion_in_limit = "standard";  ///< standard | without | with | shifted
   std::string damping_radius = "hertz";        ///< hertz | jkr_radius
   std::string bridges_form = "touch";          ///< touch | approach
+  std::string similarity = "stress";           ///< stress | bond | none: of parcels to grains
   bool tangential_damping = true;
   double normal_stiffness = 0.0, characteristic_speed = 0.0, tangential_ratio = 1.0;
   double plastic_ratio = 0.0, adhesion_ratio = 0.0, plasticity_depth = 0.0;
@@ -123,16 +125,17 @@ struct Target {
 
 /// Where parcels come from.
 struct Source {
-  enum class Kind { pack, rain, file };
+  enum class Kind { pack, dense, rain, file };
   std::string name;
   Kind kind = Kind::pack;
-  std::size_t powder = 0;  ///< index into Case::powders
-  Region region;           ///< pack, rain: where parcels appear, as a whole
-  Target target;           ///< pack, rain
-  double mass_rate = 0.0;  ///< kg/s; rain
+  std::size_t powder = 0;       ///< index into Case::powders
+  Region region;                ///< pack, rain: where parcels appear, as a whole
+  Target target;                ///< pack, rain
+  double solid_fraction = 0.0;  ///< dense: of the whole domain
+  double mass_rate = 0.0;       ///< kg/s; rain
   /// m; rain: between openings of a sieve, and their edge; both or none
   std::optional<double> sieve_pitch, sieve_opening;
-  Vec3 velocity;     ///< m/s at insertion; pack, rain
+  Vec3 velocity;     ///< m/s at insertion; pack, dense, rain
   std::string path;  ///< file: a LIGGGHTS/LAMMPS text dump; relative to the case file, made absolute
 };
 
@@ -157,6 +160,7 @@ struct Phase {
 struct Domain {
   Vec3 min, max;  ///< m
   bool periodic[3] = {false, false, false};
+  Shear shear;
   bool escape_is_error = true;  ///< a parcel that leaves the domain or passes a wall stops the run
 };
 

@@ -66,6 +66,15 @@ void append_parts(Keys& keys) {
               .standard = R"("none")",
               .choices = {"elastic_plastic", "none"},
               .help = "resistance to spin about the normal: elastic-plastic spring, or none"},
+             {.pattern = "contact.similarity",
+              .kind = choice,
+              .example = R"("bond")",
+              .standard = R"("stress")",
+              .choices = {"stress", "bond", "none"},
+              .help = "how the numbers of the law follow coarse_graining: stress keeps stresses, speeds and "
+                      "overlaps over radii of the grains; bond differs in cohesion, which it rescales "
+                      "further, so that pull-off force over weight is kept; none leaves each number as "
+                      "it is for a grain"},
              {.pattern = "contact.friction_limit",
               .kind = choice,
               .example = R"("total")",

@@ -65,6 +65,31 @@ void append_general(Keys& keys) {
            .help = "what a parcel does that leaves the domain or passes a wall: stop the run, or be "
                    "removed and counted"},
 
+          {.pattern = "domain.shear",
+           .kind = table,
+           .help = "the domain, periodic all around and without walls, is sheared evenly: what leaves across "
+                   "the gradient comes back shifted along the flow and as much faster or slower "
+                   "(Lees-Edwards boundaries). Sources give velocities against this flow; gravity must be 0"},
+          {.pattern = "domain.shear.rate",
+           .kind = quantity,
+           .dimension = dimension::frequency,
+           .example = R"("50 1/s")",
+           .presence = required,
+           .help = "change of the velocity along the flow with the place along the gradient; negative: the "
+                   "other way round"},
+          {.pattern = "domain.shear.flow",
+           .kind = choice,
+           .example = R"("x")",
+           .standard = R"("x")",
+           .choices = {"x", "y", "z"},
+           .help = "direction of the flow"},
+          {.pattern = "domain.shear.gradient",
+           .kind = choice,
+           .example = R"("z")",
+           .standard = R"("z")",
+           .choices = {"x", "y", "z"},
+           .help = "direction in which the flow becomes faster"},
+
           {.pattern = "gravity", .kind = table, .help = "the weight of things"},
           {.pattern = "gravity.acceleration",
            .kind = vector,

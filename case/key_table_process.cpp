@@ -9,7 +9,8 @@ using enum KeyKind;
 using enum Presence;
 
 void append_sources(Keys& keys) {
-  const Condition made{"kind", {"pack", "rain"}}, rain{"kind", {"rain"}};
+  const Condition made{"kind", {"pack", "rain"}}, given{"kind", {"pack", "dense", "rain"}},
+      rain{"kind", {"rain"}};
   append(
       keys,
       {
@@ -21,8 +22,10 @@ void append_sources(Keys& keys) {
            .kind = choice,
            .example = R"("rain")",
            .presence = required,
-           .choices = {"pack", "rain", "file"},
-           .help = "a random pack without overlap at once, a rain of given rate, or a bed read from a file"},
+           .choices = {"pack", "dense", "rain", "file"},
+           .help =
+               "a random pack without overlap at once; a dense one, which fills a domain that is periodic "
+               "all around to a given fraction; a rain of given rate; or a bed read from a file"},
           {.pattern = "sources.*.powder",
            .kind = name,
            .example = R"("mo")",
@@ -73,12 +76,21 @@ void append_sources(Keys& keys) {
            .partner = "count",
            .only_when = made,
            .help = "mass of all parcels together"},
+          {.pattern = "sources.*.solid_fraction",
+           .kind = number,
+           .example = "0.62",
+           .presence = required,
+           .range = {Range::End::excluded, Range::End::included, 0.0, 0.74},
+           .only_when = {"kind", {"dense"}},
+           .help =
+               "volume of all parcels over that of the domain. They are thrown in at random and push each "
+               "other apart; above about 0.63 (equal spheres) some overlap is left, which becomes stress"},
           {.pattern = "sources.*.velocity",
            .kind = vector,
            .dimension = dimension::speed,
            .example = R"(["0 m/s", "0 m/s", "-0.2 m/s"])",
            .standard = R"(["0 m/s", "0 m/s", "0 m/s"])",
-           .only_when = made,
+           .only_when = given,
            .help = "velocity of new parcels"},
           {.pattern = "sources.*.path",
            .kind = text,

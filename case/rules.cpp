@@ -385,6 +385,7 @@ void check_rules(const Section& root, ProblemList& problems) {
   which_powder(root, problems);
   what_is_measured(root, problems);
   die_is_wide_enough(root, problems);
+  check_shear_rules(root, problems);
   check_phase_rules(root, problems);
 }
 

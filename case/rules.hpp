@@ -15,6 +15,9 @@ void check_phase_rules(const Section& root, ProblemList& problems);
 /// The part on walls, motions and gravity.
 void check_wall_rules(const Section& root, ProblemList& problems);
 
+/// The part on sheared domains and what fills them.
+void check_shear_rules(const Section& root, ProblemList& problems);
+
 /// Walls that have an inside: boxes and cylinders, as indices.
 std::vector<std::size_t> walls_with_inside(const Section& root);
 

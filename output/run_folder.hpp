@@ -11,6 +11,7 @@ enum class UsedFolder {
   refuse,           ///< Failure(Exit::usage) that names --force
   replace_results,  ///< --force: remove what a run writes, and nothing else
   resume,           ///< --resume: it must be there, and everything in it stays
+  keep,             ///< everything in it stays, if there is anything
 };
 
 /// The results folder of one run, held by this process until destruction (flock on `.pulvis.lock`), so that

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "case/similarity_words.hpp"
 #include "case/units.hpp"
 
 namespace pulvis::report {
@@ -66,7 +67,10 @@ std::string wall_words(const Case& c, const Wall& w) {
 
 std::string source_words(const Case& c, const Source& s) {
   if (s.kind == Source::Kind::file) return "a bed read from the file " + s.path;
-  std::string text = s.kind == Source::Kind::pack ? "a random pack" : "a rain";
+  std::string text = s.kind == Source::Kind::rain ? "a rain"
+                     : s.kind == Source::Kind::dense
+                         ? fmt::format("a dense random pack, {:g} solid,", s.solid_fraction)
+                         : "a random pack";
   text += fmt::format(" of {}", c.powders[s.powder].name);
   if (s.target.mass) text += ", " + format_quantity(*s.target.mass, dimension::mass);
   if (s.target.count) text += fmt::format(", {} parcels", *s.target.count);
@@ -128,16 +132,11 @@ std::vector<std::string> simplifications(const Case& c) {
   for (const Powder& p : c.powders) {
     if (p.coarse_graining > 1.0)
       list.push_back(fmt::format(
-          "Coarse graining of {0}: a parcel is {1:.4g} times larger than a grain ({2} for {3}), with the "
-          "surface energy "
-          "{1:.4g} times that of the grains. This keeps stresses, overlaps over the radius, restitution and "
-          "the speed "
-          "below which collisions stick. It does not keep pull-off force over weight (the Bond number), "
-          "which is "
-          "{1:.4g} times smaller than that of the grains, nor anything that depends on the number of parcels "
-          "across "
-          "the die.",
-          p.name, p.coarse_graining, length(p.coarse_graining * p.size.diameter), length(p.size.diameter)));
+          "Coarse graining of {}: a parcel is {:.4g} times larger than a grain ({} for {}), under the "
+          "similarity "
+          "\"{}\". Kept: {}. Not kept: {}.",
+          p.name, p.coarse_graining, length(p.coarse_graining * p.size.diameter), length(p.size.diameter),
+          c.contact.similarity, what_is_kept(c.contact.similarity), what_is_not_kept(c.contact.similarity)));
     if (p.simulated_modulus)
       list.push_back(
           fmt::format("Softening of {}: Young's modulus {} instead of {}, so that the time step is longer. "

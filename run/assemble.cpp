@@ -30,6 +30,14 @@ void check_coarse_graining(const Case& c, Problems& problems) {
           {fmt::format("powders.{}.coarse_graining", first.name)});
 }
 
+void check_similarity(const Case& c, Problems& problems) {
+  if (const std::string why = named_law(c.contact).why_not(similarity(c.contact)); !why.empty())
+    problems.add("contact.similarity",
+                 fmt::format("contact.similarity = \"{}\" has no rule for this law: {}\n  take \"stress\", "
+                             "or \"none\" and scale the numbers by hand",
+                             c.contact.similarity, why));
+}
+
 /// A pair of softened powders has one adhesion, which cannot keep both the pull-off and the sticking speed.
 void check_keep(const Case& c, const Assembly& a, Problems& problems) {
   for (const PairProperties& pair : a.pairs) {
@@ -139,16 +147,30 @@ void find_radii(const Case& c, const std::vector<Bed>& beds, Model& m) {
     for (const Parcel& p : bed.parcels) add(p.radius, p.radius);
 }
 
+/// A part of the die that is measured by itself must hold a parcel.
+void check_parts(const Case& c, double largest_diameter, Problems& problems) {
+  for (const MeasuredPart& part : c.measures.parts) {
+    const Vec3 size = part.max - part.min;
+    const double width = std::min({size.x, size.y, size.z});
+    if (width >= largest_diameter) continue;
+    problems.add(
+        "measures.parts." + part.name,
+        fmt::format("measures.parts.{} is {} thin, less than the largest parcel ({})\n  enlarge it or lower "
+                    "coarse_graining",
+                    part.name, in_mm(width), in_mm(largest_diameter)));
+  }
+}
+
 void check_periodic_widths(const Model& m, Problems& problems) {
   for (int axis = 0; axis < 3; ++axis)
-    if (m.domain.periodic[axis] && m.domain.extent()[axis] < 6.0 * m.largest_radius)
-      problems.add(
-          "domain",
-          fmt::format(
-              "the periodic domain is narrower than three parcels ({}) along {}\n  enlarge it or lower "
-              "coarse_graining",
-              in_mm(2.0 * m.largest_radius), "xyz"[axis]),
-          {"powders"});
+    if (const double least = m.domain.shear.any() ? 5.0 : 3.0;
+        m.domain.periodic[axis] && m.domain.extent()[axis] < least * 2.0 * m.largest_radius)
+      problems.add("domain",
+                   fmt::format("the {} domain is narrower than {:g} parcels ({}) along {}\n  enlarge "
+                               "it or lower coarse_graining",
+                               m.domain.shear.any() ? "sheared" : "periodic", least,
+                               in_mm(2.0 * m.largest_radius), "xyz"[axis]),
+                   {"powders"});
 }
 
 /// Distance of a centre to the nearest wall over the radius, and the name of that wall.
@@ -201,6 +223,10 @@ SourceModel source_model(const Case& c, const Source& source, std::vector<Parcel
   m.target_count = source.target.count;
   m.target_mass = source.target.mass;
   switch (source.kind) {
+    case Source::Kind::dense:
+      m.kind = SourceModel::Kind::dense;
+      m.target_count = static_cast<std::uint64_t>(expected_parcels(c, source));
+      break;
     case Source::Kind::pack:
       m.kind = SourceModel::Kind::pack;
       break;
@@ -219,8 +245,11 @@ SourceModel source_model(const Case& c, const Source& source, std::vector<Parcel
 
 double expected_parcels(const Case& c, const Source& source) {
   if (source.target.count) return static_cast<double>(*source.target.count);
-  if (!source.target.mass) return 0.0;
   const Powder& powder = c.powders[source.powder];
+  if (source.kind == Source::Kind::dense)
+    return std::round(source.solid_fraction * volume(source.region) /
+                      (sphere_volume(0.5) * SizeSampler(parcel_sizes(powder)).mean_cube()));
+  if (!source.target.mass) return 0.0;
   const double mean_mass = c.materials[powder.material].density * sphere_volume(0.5) *
                            SizeSampler(parcel_sizes(powder)).mean_cube();
   return std::round(*source.target.mass / mean_mass);
@@ -231,7 +260,9 @@ Assembly assemble(const Case& c) {
   if (c.powders.empty()) problems.add("powders", "there is no powder\n  add a table [powders.NAME]");
   problems.throw_if_any();
   check_coarse_graining(c, problems);
+  check_similarity(c, problems);
   check_count(c, problems);
+  problems.throw_if_any();  // pairs need the rules
   Assembly a;
   a.species = species_of(c);
   a.pairs = mix_pairs(c, a.species);
@@ -241,6 +272,7 @@ Assembly assemble(const Case& c) {
   m.domain.min = c.domain.min;
   m.domain.max = c.domain.max;
   for (int axis = 0; axis < 3; ++axis) m.domain.periodic[axis] = c.domain.periodic[axis];
+  m.domain.shear = c.domain.shear;
   auto beds = read_beds(c, m.domain);
   find_radii(c, beds, m);
   BuiltWalls built = build_walls(c, a.species, m.largest_radius);
@@ -255,7 +287,14 @@ Assembly assemble(const Case& c) {
   m.body_force = c.body_force;
   m.dt = a.time_step.step;
   m.seed = c.seed;
+  if (m.domain.shear.any())
+    a.notes.push_back(
+        fmt::format("the domain is sheared along {} across {}: a strain of 1 takes {} or {:.3g} steps",
+                    "xyz"[m.domain.shear.flow], "xyz"[m.domain.shear.gradient],
+                    format_quantity(1.0 / magnitude(m.domain.shear.rate), dimension::time),
+                    1.0 / (magnitude(m.domain.shear.rate) * m.dt)));
   check_periodic_widths(m, problems);
+  check_parts(c, 2.0 * m.largest_radius, problems);
   for (const Motion& motion : c.motions) m.motions.push_back(motion.motion);
   check_law(c, a.species, a.pairs, problems);
   m.classes = contact_classes(c, a.species, a.pairs);

@@ -25,6 +25,11 @@ BuiltWalls build_walls(const Case& c, const std::vector<Species>& species, doubl
 /// The smallest box around a wall where its file has it; false if it has no bounds (a plane).
 bool bounds_of_wall(const Walls& walls, std::size_t wall, Vec3& low, Vec3& high);
 
+/// Widths of what powder could be in, m; the narrowest of a flat wall does not count. `size`: of its bounds.
+double narrowest_width(const Wall& wall, const Vec3& size);
+/// Width of the hole of a disc or the narrow end of a cone, m; 0 where there is none.
+double outlet_width(const Wall& wall);
+
 /// Walls against parcels and the domain: too narrow, out of reach, across a periodic end.
 void check_walls(const Case& c, const Walls& walls, double largest_radius, Problems& problems);
 

@@ -16,26 +16,6 @@ std::string place_text(const Vec3& p) {
   return fmt::format("({:.4g}, {:.4g}, {:.4g}) mm", 1e3 * p.x, 1e3 * p.y, 1e3 * p.z);
 }
 
-/// Widths of what powder could be in, m; the narrowest of a flat wall does not count.
-double narrowest_width(const Wall& wall, const Vec3& size) {
-  double width[3] = {size.x, size.y, size.z};
-  std::sort(width, width + 3);
-  switch (wall.shape) {
-    case Wall::Shape::box:
-      return width[0];
-    case Wall::Shape::cylinder:
-      return std::min(2.0 * wall.region.radius, wall.region.height);
-    case Wall::Shape::cone:
-      return std::min(2.0 * std::max(wall.radius, wall.other_radius), wall.height);
-    case Wall::Shape::sphere:
-      return 2.0 * wall.radius;
-    case Wall::Shape::mesh:
-      return width[1];
-    default:
-      return 1e300;
-  }
-}
-
 void check_size(const Wall& wall, const Vec3& size, double largest_diameter, Problems& problems) {
   const double width = narrowest_width(wall, size);
   if (width >= 3.0 * largest_diameter) return;
@@ -47,6 +27,18 @@ void check_size(const Wall& wall, const Vec3& size, double largest_diameter, Pro
                            mesh ? fmt::format("its file may be in {}", wall.unit < 1e-3 ? "mm" : "m")
                                 : "is it in mm?"),
                {"powders"});
+}
+
+/// An opening through which grains pass and parcels do not.
+void check_outlet(const Wall& wall, double largest_grain, double largest_parcel, Problems& problems) {
+  const double width = outlet_width(wall);
+  if (width < largest_grain || width >= largest_parcel) return;
+  problems.add(
+      "walls." + wall.name,
+      fmt::format(
+          "the opening of walls.{} is {} wide: the largest grain ({}) passes, the largest parcel ({}) "
+          "does not\n  lower coarse_graining, or widen the opening",
+          wall.name, in_mm(width), in_mm(largest_grain), in_mm(largest_parcel)));
 }
 
 void check_within_domain(const Wall& wall, const Vec3& low, const Vec3& high, const Box& domain,
@@ -243,11 +235,38 @@ double body_speed(const Case& c, const Walls& walls, std::uint32_t body, const P
 
 }  // namespace
 
+double narrowest_width(const Wall& wall, const Vec3& size) {
+  double width[3] = {size.x, size.y, size.z};
+  std::sort(width, width + 3);
+  switch (wall.shape) {
+    case Wall::Shape::box:
+      return width[0];
+    case Wall::Shape::cylinder:
+      return std::min(2.0 * wall.region.radius, wall.region.height);
+    case Wall::Shape::cone:
+      return std::min(2.0 * std::max(wall.radius, wall.other_radius), wall.height);
+    case Wall::Shape::sphere:
+      return 2.0 * wall.radius;
+    case Wall::Shape::mesh:
+      return width[1];
+    default:
+      return 1e300;
+  }
+}
+
+double outlet_width(const Wall& wall) {
+  if (wall.shape == Wall::Shape::disc) return 2.0 * wall.other_radius;
+  if (wall.shape == Wall::Shape::cone) return 2.0 * std::min(wall.radius, wall.other_radius);
+  return 0.0;
+}
+
 void check_walls(const Case& c, const Walls& walls, double largest_radius, Problems& problems) {
   Box domain{c.domain.min, c.domain.max, {c.domain.periodic[0], c.domain.periodic[1], c.domain.periodic[2]}};
   for (std::size_t w = 0; w < c.walls.size(); ++w) {
     Vec3 low, high;
     if (!bounds_of_wall(walls, w, low, high)) continue;
+    check_outlet(c.walls[w], 2.0 * largest_radius / c.powders.front().coarse_graining, 2.0 * largest_radius,
+                 problems);
     check_size(c.walls[w], high - low, 2.0 * largest_radius, problems);
     check_within_domain(c.walls[w], low, high, domain, problems);
   }

@@ -3,6 +3,7 @@
 
 #include "measures/continuum.hpp"
 #include "measures/periodic_images.hpp"
+#include "run/sheared_box.hpp"
 #include "run/species.hpp"
 
 namespace pulvis {
@@ -134,6 +135,15 @@ std::vector<Measure> measures_of(const Simulation& simulation, const std::option
     add("segregation_index", die->segregation.index, "1");
     add("segregation_intensity", die->segregation.intensity, "1");
     add("pressure_mean", die->stress ? std::optional(die->stress->pressure()) : std::nullopt, "Pa");
+  }
+  if (simulation.model().domain.shear.any()) {
+    const ShearedBox box = look_at_sheared_box(simulation);
+    add("pressure", box.stress.pressure(), "Pa");
+    add("pressure_kinetic", box.stress.kinetic_pressure(), "Pa");
+    add("shear_stress", box.shear_stress, "Pa");
+    add("solid_fraction", box.solid_fraction, "1");
+    add("coordination", box.coordination, "1");
+    add("granular_temperature", box.temperature, "m^2/s^2");
   }
   const auto energies = measures::energies(look_at(simulation).bodies, simulation.field().gravity);
   add("kinetic_energy_translational", energies.translational, "J");

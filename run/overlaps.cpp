@@ -11,7 +11,7 @@ namespace {
 /// Largest overlap of a pair over the smaller radius.
 double pair_overlap_ratio(const Simulation& simulation) {
   const NearPairs& pairs = simulation.pairs();
-  const NearestImage nearest = NearestImage::of(simulation.model().domain);
+  const Images& nearest = simulation.images();
   double largest = 0.0;
   for (std::size_t s = 0; s < pairs.slots(); ++s) {
     if (!pairs.touching[s]) continue;

@@ -29,6 +29,12 @@ laws::Choices law_choices(const ContactChoice& c) {
   return choices;
 }
 
+laws::Similarity similarity(const ContactChoice& c) {
+  return c.similarity == "bond"   ? laws::Similarity::bond
+         : c.similarity == "none" ? laws::Similarity::none
+                                  : laws::Similarity::stress;
+}
+
 laws::Law named_law(const ContactChoice& c) { return laws::find_law(names_of(c)); }
 
 std::vector<std::string_view> cohesion_numbers(const ContactChoice& c) {

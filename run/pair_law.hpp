@@ -10,6 +10,9 @@ namespace pulvis {
 
 laws::Choices law_choices(const ContactChoice& c);
 
+/// How its numbers follow from grains to parcels.
+laws::Similarity similarity(const ContactChoice& c);
+
 /// The law as the case names its parts.
 laws::Law named_law(const ContactChoice& c);
 

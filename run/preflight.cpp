@@ -109,9 +109,9 @@ std::string powder_lines(const Case& c) {
     const SizeSampler grains(grain_sizes(p)), parcels(parcel_sizes(p));
     const Material& m = c.materials[p.material];
     text += fmt::format(
-        "powder {}: {}, grain d50 {}, coarse graining {:g} (stress similarity), parcel d50 {} ({} to {})\n",
+        "powder {}: {}, grain d50 {}, coarse graining {:g} (similarity: {}), parcel d50 {} ({} to {})\n",
         p.name, m.name, format_quantity(grains.median_by_mass(), dimension::length), p.coarse_graining,
-        format_quantity(parcels.median_by_mass(), dimension::length),
+        c.contact.similarity, format_quantity(parcels.median_by_mass(), dimension::length),
         format_quantity(parcels.smallest(), dimension::length),
         format_quantity(parcels.largest(), dimension::length));
     if (p.simulated_modulus)
@@ -166,7 +166,9 @@ Forecast forecast(const Case& c, const Assembly& a) {
   f.memory = f.parcels * bytes_per_parcel;
   f.bed_stress = bed_stress(c, a.model.walls, mass);
   for (const PairProperties& p : a.pairs) f.pairs.push_back(forecast_pair(c, a, p, f.bed_stress));
+  f.graining = graining(c, a, f.parcels, f.bed_stress);
   add_warnings(c, a, f);
+  f.warnings.insert(f.warnings.end(), f.graining.warnings.begin(), f.graining.warnings.end());
   f.warnings.insert(f.warnings.end(), a.warnings.begin(), a.warnings.end());
   return f;
 }
@@ -201,7 +203,7 @@ std::string check_report(const Case& c, const Assembly& a, const Forecast& f) {
       "(Bond: pull-off force over the weight of the d50 sphere; sticking speed without damping; overlaps "
       "over the "
       "radius;\nrestitution of parcels at the characteristic speed. More of it: pulvis law)\n";
-  return text;
+  return text + graining_text(c, f.graining);
 }
 
 }  // namespace pulvis

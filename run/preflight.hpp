@@ -5,6 +5,7 @@
 
 #include "case/case.hpp"
 #include "run/assemble.hpp"
+#include "run/graining.hpp"
 
 namespace pulvis {
 
@@ -30,6 +31,7 @@ struct Forecast {
   double parcels = 0.0;     ///< expected
   double memory = 0.0;      ///< bytes, expected peak of the program
   double bed_stress = 0.0;  ///< Pa: weight of the bed over its base, rough
+  Graining graining;
   std::vector<PairForecast> pairs;
   std::vector<std::string> warnings;
 };

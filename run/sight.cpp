@@ -52,7 +52,7 @@ std::vector<std::int32_t> contacts_of(const Sight& sight) {
 
 ForceSight forces_in(const Simulation& simulation, const Sight& sight) {
   const auto& body = simulation.state().parcels.body;
-  const NearestImage nearest = NearestImage::of(simulation.model().domain);
+  const Images& nearest = simulation.images();
   ForceSight forces;
   forces.pairs.reserve(sight.contacts.size());
   forces.walls.reserve(sight.wall_contacts.size());

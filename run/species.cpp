@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "engine/laws/estimates.hpp"
+#include "run/pair_law.hpp"
 
 namespace pulvis {
 namespace {
@@ -67,18 +68,6 @@ void add_law_numbers(const ContactChoice& all, const PairOverride* own, laws::Ma
   pair.constant_pull = -pair.constant_pull;  // positive in a case
 }
 
-/// Stress similarity: at the same overlap or gap over the radius, forces grow with alpha^2.
-void scale_to_parcels(double alpha, laws::MaterialPair& pair) {
-  pair.work_of_adhesion *= alpha;
-  pair.normal_stiffness *= alpha;
-  pair.constant_pull *= alpha * alpha;
-  pair.surface_tension *= alpha;
-  pair.liquid_viscosity *= alpha;
-  pair.hamaker_constant *= alpha * alpha * alpha;
-  pair.shortest_gap *= alpha;
-  pair.longest_gap *= alpha;
-}
-
 laws::MaterialPair real_pair(const Case& c, const Species& a, const Species& b) {
   const Material &ma = c.materials[a.material], &mb = c.materials[b.material];
   laws::MaterialPair pair;
@@ -112,8 +101,8 @@ laws::MaterialPair simulated_pair(const Case& c, const Species& a, const Species
   if (pair.work_of_adhesion > 0.0 && softened.is_softened() &&
       c.powders[softened.powder].keep == Powder::Keep::sticking_speed)
     pair.work_of_adhesion *= power(pair.effective_modulus / real_modulus, 0.4);
-  scale_to_parcels(a.is_powder ? a.coarse_graining : b.coarse_graining, pair);
-  return pair;
+  return named_law(c.contact).for_parcels(pair, a.is_powder ? a.coarse_graining : b.coarse_graining,
+                                          similarity(c.contact));
 }
 
 }  // namespace

@@ -50,14 +50,12 @@ double law_number(const laws::MaterialPair& pair, std::string_view name);
 /// Mixes every pair of species of which at least one is a powder. The simulated pair follows from the real
 /// one in two steps, both stated in NOTATION:
 ///   softening        keep = pull_off: W stays; keep = sticking_speed: W (E*_sim/E*_real)^(2/5)
-///   coarse graining  stress similarity: W, stiffness, surface tension, viscosity and gaps times alpha, a constant
-///                    pull alpha^2, the Hamaker constant alpha^3, everything else as it is
+///   coarse graining  each number of the law by its rule under the case's similarity (engine/laws/similarity.hpp)
 /// `keep` is that of the softened powder; two softened powders that adhere must agree in it (see assemble).
 /// Of two materials W = 2 sqrt(gamma_1 gamma_2): Dupre's gamma_1 + gamma_2 - gamma_12 with
 /// gamma_12 = (sqrt(gamma_1) - sqrt(gamma_2))^2, J. N. Israelachvili, Intermolecular and Surface Forces, 3rd ed.
 /// (2011), chapter 13, doi:10.1016/B978-0-12-391927-4.10013-1.
-/// Sources: stress similarity as in C. Bierwisch et al., J. Mech. Phys. Solids 57 (2009) 10-31,
-/// doi:10.1016/j.jmps.2008.10.006; the 2/5 from v_s ~ (W^5/E*^2)^(1/6), jkr_sticking_speed.
+/// The 2/5 is from v_s ~ (W^5/E*^2)^(1/6), jkr_sticking_speed.
 std::vector<PairProperties> mix_pairs(const Case& c, const std::vector<Species>& species);
 
 }  // namespace pulvis

@@ -11,6 +11,7 @@
 #include "run/body_pull.hpp"
 #include "run/build_walls.hpp"
 #include "run/pair_law.hpp"
+#include "run/species.hpp"
 #include "run/wall_mesh.hpp"
 
 namespace pulvis {
@@ -80,6 +81,10 @@ double characteristic_speed(const Case& c, const Walls& walls) {
     }
     highest = greatest(highest, parcels + peak_wall_speed(c, walls, phase));
   }
+  // Neighbours in a sheared domain pass each other at about rate times diameter, and dash about as fast again.
+  for (const Powder& powder : c.powders)
+    highest =
+        greatest(highest, 2.0 * magnitude(c.domain.shear.rate) * SizeSampler(parcel_sizes(powder)).largest());
   return highest;
 }
 

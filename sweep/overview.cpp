@@ -5,9 +5,9 @@
 
 namespace pulvis::sweep {
 
-std::string overview_text(const Counts& c, std::optional<double> seconds_left) {
+std::string overview_text(const Counts& c, std::optional<double> seconds_left, const std::string& what) {
   const std::size_t all = c.complete + c.running + c.waiting + c.failed + c.stopped;
-  std::string text = fmt::format("{} of {} runs complete", c.complete, all);
+  std::string text = fmt::format("{} of {} {} complete", c.complete, all, what);
   if (c.running > 0) text += fmt::format(", {} running", c.running);
   if (c.failed > 0) text += fmt::format(", {} failed", c.failed);
   if (c.stopped > 0) text += fmt::format(", {} stopped", c.stopped);
@@ -16,7 +16,8 @@ std::string overview_text(const Counts& c, std::optional<double> seconds_left) {
 }
 
 void Overview::update(const Counts& counts, std::optional<double> seconds_left) {
-  const std::string text = overview_text(counts, seconds_left), counted = overview_text(counts, {});
+  const std::string text = overview_text(counts, seconds_left, what_),
+                    counted = overview_text(counts, {}, what_);
   if (options_.style == ProgressStyle::bar) {
     if (text == shown_) return;
     const auto room = static_cast<std::size_t>(options_.width > 1 ? options_.width - 1 : 1);

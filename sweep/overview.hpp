@@ -4,6 +4,7 @@
 #include <optional>
 #include <ostream>
 #include <string>
+#include <utility>
 
 #include "output/progress.hpp"
 
@@ -15,12 +16,15 @@ struct Counts {
 };
 
 /// "3 of 10 complete, 2 running, 1 failed, about 12 min left".
-std::string overview_text(const Counts& counts, std::optional<double> seconds_left);
+/// `what` they are called.
+std::string overview_text(const Counts& counts, std::optional<double> seconds_left,
+                          const std::string& what = "runs");
 
 /// Shows that on a stream: one line redrawn on a terminal that can, else a line where something changes.
 class Overview {
  public:
-  Overview(std::ostream& stream, ProgressOptions options) : stream_(stream), options_(options) {}
+  Overview(std::ostream& stream, ProgressOptions options, std::string what = "runs")
+      : stream_(stream), options_(options), what_(std::move(what)) {}
   ~Overview() { end_line(); }
   Overview(const Overview&) = delete;
   Overview& operator=(const Overview&) = delete;
@@ -34,6 +38,7 @@ class Overview {
 
   std::ostream& stream_;
   ProgressOptions options_;
+  std::string what_;
   std::string shown_, counted_;
   bool line_open_ = false;
 };

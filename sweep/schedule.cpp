@@ -74,8 +74,9 @@ class Scheduler {
       next = waiting_.erase(next);
       const Standing standing = standing_of(task.folder);
       std::vector<std::string> arguments = task.arguments;
-      if (standing == Standing::resumable) arguments.push_back("--resume");
-      if (standing == Standing::broken_off) arguments.push_back("--force");
+      const bool told = task.continues == Task::Continues::when_told;
+      if (told && standing == Standing::resumable) arguments.push_back("--resume");
+      if (told && standing == Standing::broken_off) arguments.push_back("--force");
       std::error_code none;
       const auto size = std::filesystem::file_size(task.log, none);
       running_.push_back(
@@ -160,6 +161,31 @@ class Scheduler {
 std::vector<Outcome> run_all(const std::vector<Task>& tasks, const std::string& program, int jobs,
                              Overview& overview) {
   return Scheduler(tasks, program, jobs, overview).run();
+}
+
+Exit exit_of(const std::vector<Outcome>& outcomes) {
+  bool all = true;
+  for (const Outcome& outcome : outcomes) {
+    all = all && outcome.state == Outcome::State::complete;
+    if (outcome.state == Outcome::State::failed)
+      return outcome.exit < static_cast<int>(Exit::interrupted) ? static_cast<Exit>(outcome.exit)
+                                                                : Exit::unexpected;
+  }
+  if (all) return Exit::ok;
+  return signal_to_stop() == SIGINT ? Exit::cancelled : Exit::interrupted;
+}
+
+void print_what_is_missing(const std::vector<Task>& tasks, const std::vector<Outcome>& outcomes,
+                           const std::string& what) {
+  for (std::size_t k = 0; k < tasks.size(); ++k)
+    if (outcomes[k].state == Outcome::State::failed)
+      fmt::print(stderr, "pulvis: {} failed with exit code {}: {}\n  see {}\n", tasks[k].name,
+                 outcomes[k].exit, outcomes[k].line, tasks[k].log);
+  const auto left = std::count_if(outcomes.begin(), outcomes.end(), [](const Outcome& o) {
+    return o.state == Outcome::State::stopped || o.state == Outcome::State::not_started;
+  });
+  if (left > 0)
+    fmt::print(stderr, "pulvis: {} {} are not complete; the same command goes on with them\n", left, what);
 }
 
 }  // namespace pulvis::sweep

@@ -92,35 +92,11 @@ void compare(const std::string& program, const RunFolder& folder, const std::vec
     fmt::print(stderr, "warning: no comparison was made (exit code {}): {}\n", *exit, telling_line(log, 0));
 }
 
-Exit exit_of(const std::vector<Outcome>& outcomes) {
-  bool all = true;
-  for (const Outcome& outcome : outcomes) {
-    all = all && outcome.state == Outcome::State::complete;
-    if (outcome.state == Outcome::State::failed)
-      return outcome.exit < static_cast<int>(Exit::interrupted) ? static_cast<Exit>(outcome.exit)
-                                                                : Exit::unexpected;
-  }
-  if (all) return Exit::ok;
-  return signal_to_stop() == SIGINT ? Exit::cancelled : Exit::interrupted;
-}
-
-void print_what_is_missing(const std::vector<Task>& tasks, const std::vector<Outcome>& outcomes) {
-  for (std::size_t k = 0; k < tasks.size(); ++k)
-    if (outcomes[k].state == Outcome::State::failed)
-      fmt::print(stderr, "pulvis: {} failed with exit code {}: {}\n  see {}\n", tasks[k].name,
-                 outcomes[k].exit, outcomes[k].line, tasks[k].log);
-  const auto left = std::count_if(outcomes.begin(), outcomes.end(), [](const Outcome& o) {
-    return o.state == Outcome::State::stopped || o.state == Outcome::State::not_started;
-  });
-  if (left > 0)
-    fmt::print(stderr, "pulvis: {} runs are not complete; the same command goes on with them\n", left);
-}
-
 }  // namespace
 
-Shares shares(const Request& request, std::size_t runs, int processors) {
+Shares shares(int jobs, int threads, std::size_t runs, int processors) {
   const int wanted = static_cast<int>(std::clamp<std::size_t>(runs, 1, 1024));
-  Shares s{request.jobs, request.threads};
+  Shares s{jobs, threads};
   if (s.jobs <= 0)
     s.jobs = s.threads > 0 ? std::max(1, processors / s.threads) : std::min(wanted, processors);
   if (s.threads <= 0) s.threads = std::max(1, processors / std::min(s.jobs, wanted));
@@ -137,7 +113,8 @@ Exit run_sweep(const Request& request) {
   const auto to_do = std::count_if(members.begin(), members.end(), [&](const Member& m) {
     return standing_of(folder.file(m.name)) != Standing::complete;
   });
-  const Shares share = shares(request, static_cast<std::size_t>(to_do), available_processors());
+  const Shares share =
+      shares(request.jobs, request.threads, static_cast<std::size_t>(to_do), available_processors());
   const std::vector<Task> tasks = tasks_of(members, folder, share.threads);
   const std::string program = this_program();
   std::vector<Outcome> outcomes;

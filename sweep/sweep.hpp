@@ -23,10 +23,10 @@ struct Request {
 /// does; a folder with other things in it, Exit::usage.
 Exit run_sweep(const Request& request);
 
-/// Runs at once and threads of each on a machine with that many processors.
+/// Runs at once and threads of each on a machine with that many processors; 0 where they are not asked for.
 struct Shares {
   int jobs, threads;
 };
-Shares shares(const Request& request, std::size_t runs, int processors);
+Shares shares(int jobs, int threads, std::size_t runs, int processors);
 
 }  // namespace pulvis::sweep

@@ -10,7 +10,9 @@ Row& Findings::compare(std::string name, std::string source, double reference, d
                        std::optional<double> limit) {
   const double deviation = how == Compare::relative   ? std::fabs(value / reference - 1.0)
                            : how == Compare::absolute ? std::fabs(value - reference)
-                                                      : std::fabs(value);
+                           : how == Compare::bound    ? std::fabs(value)
+                           : value < reference        ? reference - value
+                                                      : 0.0 * value;
   rows_.push_back({std::move(name), std::move(source), reference, value, deviation, limit, {}});
   return rows_.back();
 }

@@ -12,7 +12,8 @@ namespace pulvis::validation {
 enum class Compare {
   relative,  ///< |value/reference - 1|
   absolute,  ///< |value - reference|
-  bound      ///< the value itself is the deviation: an error that should be 0
+  bound,     ///< the value itself is the deviation: an error that should be 0
+  at_least   ///< what the value lacks of the reference
 };
 
 /// One comparison: a quantity, what it should be and who says so, and what we found.

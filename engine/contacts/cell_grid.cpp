@@ -29,6 +29,17 @@ std::size_t CellGrid::cell(const Vec3& p) const {
   return (index[2] * ny() + index[1]) * nx() + index[0];
 }
 
+std::pair<int, int> CellGrid::cells_along(const Slide& slide, const int (&at)[3], int across) const {
+  const int all = cells_[slide.flow], step = across - at[slide.gradient];
+  // With fewer than three layers one layer is near through the box and through a face at once.
+  if (all <= 4 || cells_[slide.gradient] < 3) return {0, all};
+  double shift = 0.0;  // of the images in that layer, in cells
+  if (step < -1) shift = slide.shift * inverse_edge_[slide.flow];
+  if (step > 1) shift = -slide.shift * inverse_edge_[slide.flow];
+  const int first = at[slide.flow] - 1 - static_cast<int>(std::ceil(shift));
+  return {((first % all) + all) % all, shift == 0.0 ? 3 : 4};
+}
+
 void CellGrid::sort_into_cells(std::size_t count) {
   const std::size_t cell_count = nx() * ny() * static_cast<std::size_t>(cells_[2]);
   begin_.assign(cell_count + 1, 0);

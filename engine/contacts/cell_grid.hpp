@@ -2,6 +2,7 @@
 #pragma once
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "engine/parcels/domain.hpp"
@@ -41,6 +42,32 @@ class CellGrid {
                   visit);
   }
 
+  /// The same in a box whose faces slide: what is near across one lies along the flow axis by the shift.
+  template <class Visit>
+  void for_ranges_around(std::size_t c, const Slide& slide, Visit&& visit) const {
+    if (!slide.any()) return for_ranges_around(c, visit);
+    const int at[3] = {static_cast<int>(c % nx()), static_cast<int>(c / nx() % ny()),
+                       static_cast<int>(c / (nx() * ny()))};
+    const int flow = slide.flow, gradient = slide.gradient, neutral = 3 - flow - gradient;
+    int across[3], beside[3], cell[3];
+    const int across_count = neighbours(gradient, at[gradient], across),
+              beside_count = neighbours(neutral, at[neutral], beside);
+    for (int ia = 0; ia < across_count; ++ia) {
+      const auto [first, count] = cells_along(slide, at, across[ia]);
+      cell[gradient] = across[ia];
+      for (int along = 0; along < count; ++along) {
+        cell[flow] = (first + along) % cells_[flow];
+        for (int ib = 0; ib < beside_count; ++ib) {
+          cell[neutral] = beside[ib];
+          const std::size_t k =
+              (static_cast<std::size_t>(cell[2]) * ny() + static_cast<std::size_t>(cell[1])) * nx() +
+              static_cast<std::size_t>(cell[0]);
+          visit(begin_[k], begin_[k + 1]);
+        }
+      }
+    }
+  }
+
  private:
   std::size_t nx() const { return static_cast<std::size_t>(cells_[0]); }
   std::size_t ny() const { return static_cast<std::size_t>(cells_[1]); }
@@ -48,6 +75,9 @@ class CellGrid {
   void lay_out(const Box& box, double edge, std::size_t count);
   void sort_into_cells(std::size_t count);
   std::size_t cell(const Vec3& p) const;
+
+  /// The cells along the flow axis that can be near the cell `at` in the layer `across`: first and number.
+  std::pair<int, int> cells_along(const Slide& slide, const int (&at)[3], int across) const;
 
   /// Cells next to and including `c` along an axis, each once; returns how many.
   int neighbours(int axis, int c, int (&list)[3]) const {

@@ -48,6 +48,7 @@ void evaluate_block(ContactBlock& b, std::size_t begin, const ContactClass& cont
   const std::size_t behind = near.slots() - std::min(near.slots(), begin + kernels::block_size);
   contact.kernel.gather(b, parcels.body.data(), &near.first[begin], &near.second[begin],
                         static_cast<int>(std::min<std::size_t>(behind, kernels::block_size)));
+  if (b.slide.any()) contact.kernel.images(b, contact.constants.data(), dt);
   contact.kernel.geometry(b, contact.constants.data(), dt);
   if (!contact.kernel.any_in_reach(b, approach)) return;
   contact.kernel.evaluate(b, contact.constants.data(), dt);
@@ -130,10 +131,11 @@ ContactEvaluator::ContactEvaluator(int most_threads, std::size_t classes, double
 }
 
 void ContactEvaluator::block(NearPairs& near, const Parcels& parcels, const ContactClass& contact,
-                             std::size_t contact_class, std::size_t begin, const NearestImage& nearest,
-                             double dt, int part) {
+                             std::size_t contact_class, std::size_t begin, const Images& images, double dt,
+                             int part) {
   ContactBlock& b = scratch_[static_cast<std::size_t>(part)].pairs;
-  b.period = nearest.length;
+  b.period = images.periods.length;
+  b.slide = images.slide;
   b.count =
       static_cast<int>(std::min<std::size_t>(kernels::block_size, near.class_end[contact_class] - begin));
   evaluate_block(b, begin, contact, near, parcels, approach_, dt);

@@ -27,7 +27,7 @@ class ContactEvaluator {
   /// The block of near pairs that begins with slot `begin`. Parts of the work that go on at once have each their own
   /// number `part`.
   void block(NearPairs& near, const Parcels& parcels, const ContactClass& contact, std::size_t contact_class,
-             std::size_t begin, const NearestImage& nearest, double dt, int part);
+             std::size_t begin, const Images& images, double dt, int part);
   /// How far a part of the work is in the slots of each class: for whoever leads it.
   std::vector<std::size_t>& cursors(int part) { return scratch_[static_cast<std::size_t>(part)].cursors; }
   /// Fills `crossings`, ascending in the parcel's index.

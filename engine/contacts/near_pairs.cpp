@@ -18,8 +18,8 @@ struct Candidate {
 }  // namespace
 
 void NearPairs::rebuild(const Parcels& parcels, const ContactClasses& classes, std::span<const double> margin,
-                        double reach, const Box& box, int threads) {
-  search(parcels, margin, reach, box, threads);
+                        double reach, const Box& box, const Slide& slide, int threads) {
+  search(parcels, margin, reach, box, slide, threads);
   assign_slots(parcels, classes, threads);
   divide(threads);
 }
@@ -69,7 +69,7 @@ laws::Memory NearPairs::memory_of(std::size_t slot) const {
 }
 
 void NearPairs::search(const Parcels& parcels, std::span<const double> margin, double reach, const Box& box,
-                       int threads) {
+                       const Slide& slide, int threads) {
   const std::size_t count = parcels.size();
   double widest = 0.0;
   for (std::size_t k = 0; k < count; ++k) widest = std::max(widest, parcels.body[k].radius + margin[k]);
@@ -85,7 +85,7 @@ void NearPairs::search(const Parcels& parcels, std::span<const double> margin, d
     }
   });
 
-  const NearestImage nearest = NearestImage::of(box);
+  const Images nearest{NearestImage::of(box), slide};
   begin.assign(count + 1, 0);
   std::vector<std::vector<std::uint32_t>> found(static_cast<std::size_t>(std::max(threads, 1)));
   std::vector<std::size_t> share_begin(found.size(), count);
@@ -97,7 +97,7 @@ void NearPairs::search(const Parcels& parcels, std::span<const double> margin, d
       const Vec3 position = parcels.body[i].position;
       const double own = parcels.body[i].radius + margin[i];
       const std::size_t before = mine.size();
-      grid_.for_ranges_around(grid_.cell_of(i), [&](std::uint32_t first_k, std::uint32_t last_k) {
+      grid_.for_ranges_around(grid_.cell_of(i), slide, [&](std::uint32_t first_k, std::uint32_t last_k) {
         for (std::uint32_t k = first_k; k < last_k; ++k) {
           const Vec3 d = nearest(candidate[k].position - position);
           const double far = (own + candidate[k].reach) + reach;  // the same bits seen from either parcel

@@ -26,7 +26,7 @@ class NearPairs {
   /// Finds all pairs closer than margin_i + margin_j + reach. `margin` is per parcel, m; `reach` covers
   /// contacts that hold beyond touching. Forgets all contacts: see `restore`.
   void rebuild(const Parcels& parcels, const ContactClasses& classes, std::span<const double> margin,
-               double reach, const Box& box, int threads);
+               double reach, const Box& box, const Slide& slide, int threads);
 
   /// The contacts that touch now.
   TouchingList pack(const Parcels& parcels, int threads) const;
@@ -86,7 +86,7 @@ class NearPairs {
 
  private:
   void search(const Parcels& parcels, std::span<const double> margin, double reach, const Box& box,
-              int threads);
+              const Slide& slide, int threads);
   void assign_slots(const Parcels& parcels, const ContactClasses& classes, int threads);
   std::size_t count_slots(const Parcels& parcels, const ContactClasses& classes, int threads);
   void divide(int threads);

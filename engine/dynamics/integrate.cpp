@@ -63,6 +63,25 @@ PULVIS_INLINE bool wrap(double& x, double& reference, double low, double high) {
   return true;
 }
 
+/// Brings a parcel that left a sheared box across the gradient axis back as its image, and its reference with it.
+PULVIS_INLINE void slide_back(Parcel& p, Vec3& reference, const Box& box, const Slide& slide) {
+  const double x = p.position[slide.gradient];
+  const double out = x >= box.max[slide.gradient] ? 1.0 : x < box.min[slide.gradient] ? -1.0 : 0.0;
+  if (out == 0.0) return;
+  p.position[slide.gradient] -= out * slide.height;
+  p.position[slide.flow] -= out * slide.shift;
+  p.velocity[slide.flow] -= out * slide.jump;
+  reference[slide.gradient] -= out * slide.height;
+  reference[slide.flow] -= out * slide.shift;
+}
+
+/// What is left of a parcel's margin at a strain since the lists were made. A strain e shortens no distance r by more
+/// than e r/2 (the smaller stretch of a simple shear is sqrt(1 + e^2/4) - e/2), and pairs that are not listed were
+/// farther apart than both radii, both margins and the reach: each parcel answers for half of it.
+PULVIS_INLINE double margin_left(double margin, double radius, const ShearedStep& shear) {
+  return margin - 0.5 * magnitude(shear.strain) * (radius + margin + 0.5 * shear.reach);
+}
+
 /// False also where a coordinate is not a number.
 PULVIS_INLINE bool inside(const Vec3& x, const Box& box) {
   return x.x >= box.min.x && x.x <= box.max.x && x.y >= box.min.y && x.y <= box.max.y && x.z >= box.min.z &&
@@ -76,8 +95,15 @@ PULVIS_INLINE void begin_one(Parcel& p, const Load& load, const StepBeginning& b
     kick_rotating_first(p, load, b.field, 0.5 * b.dt);
   else
     kick(p, load, 0.5 * b.dt);
-  const Vec3 move = b.dt * p.velocity;
+  Vec3 move = b.dt * p.velocity;
   p.position += move;
+  if (b.shear.slide.any()) {
+    const Vec3 with_flow = b.dt * b.box.flow_velocity(reference);
+    reference += with_flow;
+    move -= with_flow;
+    margin = margin_left(margin, p.radius, b.shear);
+    slide_back(p, reference, b.box, b.shear.slide);
+  }
   if (b.any_periodic)
     for (int axis = 0; axis < 3; ++axis)
       if (b.box.periodic[axis])
@@ -85,7 +111,7 @@ PULVIS_INLINE void begin_one(Parcel& p, const Load& load, const StepBeginning& b
   const Vec3 since = p.position - reference - b.drift;
   notice.outside |= !inside(p.position, b.box) || !(dot(p.spin, p.spin) < 1e300);
   notice.too_fast |= dot(move, move) > 0.25 * (p.radius * p.radius);
-  notice.stale |= dot(since, since) > margin * margin;
+  notice.stale |= dot(since, since) > margin * margin || margin < 0.0;
 }
 
 /// What acts on parcel `i` at the end of a step: pairs by the partner's id, walls by surface, body forces.
@@ -129,7 +155,7 @@ class ShareOfSweep {
       const std::size_t end = std::min(to, begin + parcels_at_once);
       for (std::size_t c = 0; c < at.size(); ++c)
         for (; at[c] < t_.pairs.slot_end(c, end - 1); at[c] += kernels::block_size)
-          t_.evaluator.block(t_.pairs, t_.parcels, t_.classes.all()[c], c, at[c], t_.nearest, fields_.dt,
+          t_.evaluator.block(t_.pairs, t_.parcels, t_.classes.all()[c], c, at[c], t_.images, fields_.dt,
                              part_);
       for (std::size_t i = begin; i < end; ++i)
         if (!t_.pairs.divided(i)) finish(i);

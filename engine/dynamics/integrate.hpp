@@ -19,25 +19,38 @@ struct StepNotice {
   bool wrapped = false;   ///< a parcel came back at the other end of a periodic axis
 };
 
+/// What a step of a sheared box needs besides; of others, what it is by default.
+struct ShearedStep {
+  Slide slide{};        ///< at the end of the step
+  double strain = 0.0;  ///< shear strain since the lists were made, to the end of the step
+  double reach = 0.0;   ///< m, by which the lists reach beyond margins
+};
+
 /// What the first half of a step is made with.
 struct StepBeginning {
-  StepBeginning(const Box& domain, const ForceField& at_beginning, double step, const Vec3& way)
+  StepBeginning(const Box& domain, const ForceField& at_beginning, double step, const Vec3& way,
+                const ShearedStep& sheared)
       : box(domain),
         any_periodic(domain.periodic[0] || domain.periodic[1] || domain.periodic[2]),
         field(at_beginning),
         dt(step),
-        drift(way) {}
+        drift(way),
+        shear(sheared) {}
   const Box& box;
   bool any_periodic;
   ForceField field;
   double dt;   ///< s
   Vec3 drift;  ///< m, which the margins do not count: how far all have drifted since the lists were made
+  ShearedStep shear;
 };
 
 /// First half of velocity Verlet: v += (F/m) dt/2, omega += (T/I) dt/2, x += v dt; wraps periodic axes.
 /// Velocities then are those of the middle of the step, in step with the displacement they made (synchronised
 /// velocities, D. R. Vyas et al., Comput. Phys. Commun. 310 (2025) 109524). `reference` are the positions the
 /// lists were made at; they wrap along.
+///
+/// In a sheared box the references drift with the shear flow, margins are measured against them, and a parcel that
+/// leaves through a face of the gradient axis comes back where its image is, as fast as that.
 StepNotice begin_step(Parcels& parcels, const StepBeginning& beginning, std::span<Vec3> reference,
                       std::span<const double> margin, int threads);
 
@@ -48,7 +61,7 @@ struct SweptThings {
   const NearWalls& walls;  ///< evaluated
   ContactEvaluator& evaluator;
   const ContactClasses& classes;
-  NearestImage nearest;
+  Images images;              ///< at the end of the step
   std::span<Vec3> reference;  ///< per parcel, as in begin_step
   std::span<const double> margin;
 };

@@ -68,6 +68,9 @@ Parcel parcel_at(const SourceModel& model, const Vec3& centre, double diameter);
 
 std::vector<Parcel> draw_pack(const SourceModel& model, SourceState& state, const Dice& dice,
                               const Surroundings& around);
+/// Of a domain that is periodic all around and in which nothing is: parcels throughout, dense but without order.
+std::vector<Parcel> draw_dense(const SourceModel& model, SourceState& state, const Dice& dice,
+                               const Surroundings& around);
 std::vector<Parcel> draw_rain(const SourceModel& model, SourceState& state, const Dice& dice,
                               std::uint64_t step, double dt, const Surroundings& around);
 

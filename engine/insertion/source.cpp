@@ -109,9 +109,10 @@ std::vector<Parcel> draw_parcels(const SourceModel& model, SourceState& state, s
     for (const Parcel& p : model.list) state.mass += p.mass;
     return model.list;
   }
-  require_room(model);
   const Dice dice{seed, stream};
   const Surroundings around{present, domain, clear, threads < 1 ? 1 : threads};
+  if (model.kind == SourceModel::Kind::dense) return draw_dense(model, state, dice, around);
+  require_room(model);
   if (model.kind == SourceModel::Kind::pack) return draw_pack(model, state, dice, around);
   return draw_rain(model, state, dice, step, dt, around);
 }

@@ -20,13 +20,13 @@ struct Sieve {
 
 /// Where parcels come from. Sizes are those of parcels (already coarse-grained). SI.
 struct SourceModel {
-  enum class Kind { pack, rain, list };
+  enum class Kind { pack, dense, rain, list };
   std::string name;
   Kind kind = Kind::pack;
   std::uint32_t species = 0;
   double density = 0.0;  ///< kg/m^3
   std::optional<SizeSampler> sizes;
-  Region region;      ///< whole spheres appear inside it
+  Region region;      ///< whole spheres appear inside it; dense: the whole domain instead
   Vec3 velocity;      ///< m/s
   double rate = 0.0;  ///< kg/s; rain
   /// Whole spheres appear over one of its openings only. It lies across `fall_axis` of a box, and across the

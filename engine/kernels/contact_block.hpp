@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "engine/laws/catalogue.hpp"
+#include "engine/parcels/domain.hpp"
 #include "engine/parcels/parcels.hpp"
 
 namespace pulvis::kernels {
@@ -43,6 +44,7 @@ struct ContactBlock {
 
   // Gathered for parcels: the kernel derives what stands under "staged for walls" from these.
   Vec3 period;      ///< m, of the domain's periodic axes, 0 along the others
+  Slide slide;      ///< of a sheared domain: see ContactKernel::images
   Lanes3 offset;    ///< x_second - x_first, of any image, end of step
   Lanes3 velocity;  ///< v_first - v_second, mid-step; walls: v_first - v_wall at the contact
   alignas(64) Lane radius_first, radius_second, mass_first, mass_second;
@@ -117,6 +119,8 @@ class ContactKernel {
   Gather gather = nullptr;
   Look any_in_reach = nullptr;
   Scatter scatter = nullptr;
+  /// Of a sheared domain, before the geometry: offset and velocity of the image nearest along the gradient axis.
+  Stage images = nullptr;
   Stage geometry = nullptr, wall_sizes = nullptr;
 
  private:

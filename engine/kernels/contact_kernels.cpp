@@ -291,6 +291,23 @@ PULVIS_INLINE void evaluate_drag(ContactBlock& b, int k) {
 
 // --- the stages: loops over the block ---------------------------------------------------------------------
 
+static double* along(Lanes3& lanes, int axis) { return axis == 0 ? lanes.x : axis == 1 ? lanes.y : lanes.z; }
+
+/// Only where the domain is sheared. Where the image was dt/2 ago follows from its velocity.
+static void images_stage(ContactBlock& b, const double*, double) {
+  const int count = b.count;
+  const double height = b.slide.height, shift = b.slide.shift, jump = b.slide.jump;
+  double *across = along(b.offset, b.slide.gradient), *offset = along(b.offset, b.slide.flow),
+         *velocity = along(b.velocity, b.slide.flow);
+#pragma omp simd
+  for (int k = 0; k < count; ++k) {
+    const double crossed = Slide::crossed(across[k], height);
+    across[k] -= crossed * height;
+    offset[k] -= crossed * shift;
+    velocity[k] += crossed * jump;
+  }
+}
+
 static void geometry_stage(ContactBlock& b, const double*, double dt) {
   const int count = b.count;
 #pragma omp simd
@@ -406,6 +423,7 @@ ContactKernel contact_kernel(const laws::Law& law) {
   kernel.gather = gather;
   kernel.any_in_reach = any_in_reach;
   kernel.scatter = scatter;
+  kernel.images = images_stage;
   kernel.geometry = geometry_stage;
   if (law.cohesion->needs_sizes || law.rolling->needs_sizes) kernel.wall_sizes = wall_sizes_stage;
   if (law.cohesion->reaches) kernel.append(reach_stage_of(laws::CohesionParts{}, law.cohesion->index));

@@ -158,6 +158,11 @@ struct Law {
   Normal normal_force(double overlap, double radius, const PairConstants&) const;
   /// The law for one contact, part after part: what the kernels do for many at once, to the same bits.
   Response evaluate(const Touch& touch, const Past& old, const PairConstants& constants) const;
+  /// The numbers for parcels alpha times larger than the grains. Each parameter follows its rule (similarity.hpp);
+  /// whatever else the pair holds stays. Only if why_not() says nothing.
+  MaterialPair for_parcels(const MaterialPair& grains, double alpha, Similarity similarity) const;
+  /// Why the law knows no such similarity, as part of a sentence; empty if it does.
+  std::string why_not(Similarity similarity) const;
   /// What is wrong with a choice of parts and the properties of a pair, one sentence each; empty if nothing is.
   std::vector<std::string> problems(const MaterialPair& material, const Choices& choices) const;
 };

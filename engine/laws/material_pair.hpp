@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include "engine/laws/similarity.hpp"
 
 namespace pulvis::laws {
 
@@ -39,25 +40,37 @@ struct MaterialPair {
   double longest_gap = 0.0;              ///< h_max, m
 };
 
-/// A property that a part of a law needs and the values it may have, ends included. SI.
+/// A property that a part of a law needs, the values it may have, ends included, and how it follows the size of
+/// parcels. SI. A part cannot state it without its unit and what it has to do with the pull-off force.
 struct Parameter {
   const char* name;
   double MaterialPair::*value;
   double lowest, highest;
   const char* unit;
+  PullOff pull_off;
+  double stress_power = size_power(unit);
+
+  /// Power of alpha by which it grows; under bond similarity only if `pull_off` has a rule.
+  constexpr double growth(Similarity similarity) const {
+    return similarity == Similarity::none     ? 0.0
+           : similarity == Similarity::stress ? stress_power
+                                              : pull_off.bond_power(stress_power);
+  }
 };
 
 /// Parameters of more than one part.
 namespace needs {
-inline constexpr Parameter coulomb_friction{"friction", &MaterialPair::friction, 0.0, 10.0, "-"};
-inline constexpr Parameter rolling_friction{"rolling_friction", &MaterialPair::rolling_friction, 0.0, 10.0,
-                                            "-"};
-inline constexpr Parameter work_of_adhesion{"work_of_adhesion", &MaterialPair::work_of_adhesion, 0.0, 100.0,
-                                            "J/m^2"};
-inline constexpr Parameter effective_modulus{"effective_modulus", &MaterialPair::effective_modulus, 1.0, 1e13,
-                                             "Pa"};
+inline constexpr Parameter coulomb_friction{"friction", &MaterialPair::friction, 0.0, 10.0,
+                                            "-",        PullOff::apart()};
+inline constexpr Parameter rolling_friction{
+    "rolling_friction", &MaterialPair::rolling_friction, 0.0, 10.0, "-", PullOff::apart()};
+inline constexpr Parameter work_of_adhesion{
+    "work_of_adhesion", &MaterialPair::work_of_adhesion, 0.0, 100.0, "J/m^2", PullOff::grows_with(1, 1)};
+inline constexpr Parameter effective_modulus{
+    "effective_modulus", &MaterialPair::effective_modulus, 1.0, 1e13, "Pa", PullOff::apart()};
 inline constexpr Parameter cohesion_energy_density{
-    "cohesion_energy_density", &MaterialPair::cohesion_energy_density, 0.0, 1e12, "J/m^3"};
+    "cohesion_energy_density", &MaterialPair::cohesion_energy_density, 0.0, 1e12, "J/m^3",
+    PullOff::grows_with(3, 2)};
 
 }  // namespace needs
 

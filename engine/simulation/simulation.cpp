@@ -38,7 +38,7 @@ Simulation::Simulation(Model model, State state, int threads)
     : model_(std::move(model)),
       state_(std::move(state)),
       most_threads_(std::max(threads, 1)),
-      nearest_(NearestImage::of(model_.domain)),
+      images_(Images::of(model_.domain, static_cast<double>(state_.step) * model_.dt)),
       reach_(model_.classes.longest_reach(model_.largest_radius)),
       poses_(model_.walls.bodies.size()),
       evaluator_(most_threads_, model_.classes.all().size(),
@@ -69,6 +69,7 @@ void Simulation::step(Then then) {
     drift_ += model_.dt * drift_velocity_;
   }
   ahead_ = false;
+  images_.slide = slide_at(state_.step + 1);
   const std::size_t escaped_before = state_.escapes.size();
   move_bodies_to(state_.step + 1);
   require_slow_walls();
@@ -84,11 +85,17 @@ void Simulation::step(Then then) {
   const bool guarded = state_.step % steps_between_guards == 0;
   ahead_ = then == Then::go_on && !guarded && crossings_.empty() && state_.escapes.size() == escaped_before &&
            !a_source_is_due();
-  notice_ = sweep({state_.parcels, pairs_, walls_, evaluator_, model_.classes, nearest_, reference_, margin_},
+  notice_ = sweep({state_.parcels, pairs_, walls_, evaluator_, model_.classes, images_, reference_, margin_},
                   {field_towards(-0.5), model_.dt}, ahead_ ? &next : nullptr);
   if (ahead_) drift_ += model_.dt * drift_velocity_;
   if (!crossings_.empty()) take_out_crossed();
   if (guarded) require_sound();
+}
+
+ShearedStep Simulation::shear_to_next_step() const {
+  if (!model_.domain.shear.any()) return {};
+  const auto steps = static_cast<double>(state_.step + 1 - rebuilt_at_);
+  return {slide_at(state_.step + 1), model_.domain.shear.rate * steps * model_.dt, reach_};
 }
 
 // --- sources and motions ---------------------------------------------------------------------------------
@@ -119,6 +126,9 @@ void Simulation::insert_due_parcels() {
              state_.parcels, model_.domain, [this](const Vec3&x, double r) { return clear_of_walls(x, r); },
              most_threads_)) {
       p.id = state_.next_id++;
+      // What a source gives moves with the flow; a list says how each of its parcels moves.
+      if (model_.sources[k].kind != SourceModel::Kind::list)
+        p.velocity += model_.domain.flow_velocity(p.position);
       state_.parcels.body.push_back(p);
       state_.parcels.load.push_back({p.mass * field().at(p.position), {}});
       ++state_.ledger.inserted;
@@ -231,7 +241,7 @@ void Simulation::take_out_escaped(const StepNotice& notice) {
   for (std::size_t i = 0; i < state_.parcels.size(); ++i) {
     const Parcel& p = state_.parcels.body[i];
     const Vec3 &x = p.position, &low = model_.domain.min, &high = model_.domain.max;
-    if (notice.too_fast && dot(p.velocity, p.velocity) * square(model_.dt) > square(0.5 * p.radius))
+    if (notice.too_fast && norm(p.velocity - model_.domain.flow_velocity(x)) * model_.dt > 0.5 * p.radius)
       fail_at("a parcel moved more than half its radius in one time step",
               "lower time.fraction, or raise the modulus if parcels overlap deeply; see `pulvis check`", p);
     if (x.x < low.x || x.x > high.x || x.y < low.y || x.y > high.y || x.z < low.z || x.z > high.z)
@@ -313,11 +323,13 @@ void Simulation::choose_margins() {
   // No margin is less than the way of the next step (up to 0.5 radius): contacts must end by their law only.
   const double least = 0.03 * model_.skin, most = greatest(0.6 * model_.skin, 0.5);
   drift_ = {};
-  drift_velocity_ = common_velocity();
+  drift_velocity_ = model_.domain.shear.any() ? Vec3{} : common_velocity();
   margin_.resize(state_.parcels.size());
   for (std::size_t i = 0; i < margin_.size(); ++i) {
     const Parcel& p = state_.parcels.body[i];
-    const double wish = norm(p.velocity - drift_velocity_) * model_.dt * steps_between_rebuilds / p.radius;
+    const Vec3 own = p.velocity - drift_velocity_ - model_.domain.flow_velocity(p.position);
+    const double wish = (norm(own) + 0.5 * magnitude(model_.domain.shear.rate) * p.radius) * model_.dt *
+                        steps_between_rebuilds / p.radius;
     margin_[i] = p.radius * std::clamp(1.2 * wish + least, least, most);
   }
   body_margin_.resize(poses_.size());
@@ -407,7 +419,8 @@ std::vector<std::uint32_t> Simulation::rebuild(const TouchingList& old_pairs, co
   body_reference_.resize(poses_.size());
   for (std::size_t b = 0; b < poses_.size(); ++b) body_reference_[b] = poses_[b].now;
 
-  pairs_.rebuild(state_.parcels, model_.classes, margin_, reach_, model_.domain, threads());
+  pairs_.rebuild(state_.parcels, model_.classes, margin_, reach_, model_.domain, images_.slide, threads());
+  rebuilt_at_ = state_.step;
   walls_.rebuild(state_.parcels, model_.walls, poses_, margin_, body_margin_, reach_, threads());
   const std::size_t pairs_found = pairs_.restore(old_pairs, old_index, state_.parcels, threads());
   const std::size_t walls_found = walls_.restore(old_walls, old_index);

@@ -60,6 +60,8 @@ class Simulation {
   const NearWalls& walls() const { return walls_; }
   double time() const { return static_cast<double>(state_.step) * model_.dt; }
   const Pose& pose(std::size_t body) const { return poses_[body]; }
+  /// Where periodic images are at the end of the step.
+  const Images& images() const { return images_; }
   /// Body forces at the end of the step.
   ForceField field() const { return model_.body_force.at(time()); }
   /// Threads in use: no more than are worth waking for so many parcels.
@@ -81,8 +83,13 @@ class Simulation {
   ForceField field_towards(double steps) const {
     return model_.body_force.at(time(), time() + steps * model_.dt);
   }
+  Slide slide_at(std::uint64_t step) const {
+    return Slide::of(model_.domain, static_cast<double>(step) * model_.dt);
+  }
+  ShearedStep shear_to_next_step() const;
   StepBeginning beginning() const {
-    return {model_.domain, field_towards(0.5), model_.dt, drift_ + model_.dt * drift_velocity_};
+    return {model_.domain, field_towards(0.5), model_.dt, drift_ + model_.dt * drift_velocity_,
+            shear_to_next_step()};
   }
   void require_whole_step() const;
   void insert_due_parcels();
@@ -116,7 +123,7 @@ class Simulation {
   Model model_;
   State state_;
   int most_threads_;
-  NearestImage nearest_;
+  Images images_;
   double reach_ = 0.0;
   std::vector<Pose> poses_;
   NearPairs pairs_;
@@ -136,6 +143,7 @@ class Simulation {
   StepNotice notice_;   ///< of the first half of a step
   bool ahead_ = false;  ///< the first half of the next step is made
   std::uint64_t rebuilds_ = 0;
+  std::uint64_t rebuilt_at_ = 0;  ///< step
 };
 
 }  // namespace pulvis

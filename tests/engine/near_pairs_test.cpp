@@ -19,6 +19,7 @@ namespace {
 
 struct Packing {
   Box box;
+  Slide slide;
   Parcels parcels;
   std::vector<double> margin;
   double reach = 0.0;
@@ -65,7 +66,10 @@ double shortest(const Packing& p, std::size_t i, std::size_t j) {
     for (int y = -1; y <= 1; ++y)
       for (int z = -1; z <= 1; ++z) {
         if ((x && !p.box.periodic[0]) || (y && !p.box.periodic[1]) || (z && !p.box.periodic[2])) continue;
-        best = std::min(best, norm(d + Vec3{x * extent.x, y * extent.y, z * extent.z}));
+        const int cell[3] = {x, y, z};
+        Vec3 image = d + Vec3{x * extent.x, y * extent.y, z * extent.z};
+        image[p.slide.flow] += cell[p.slide.gradient] * p.slide.shift;
+        best = std::min(best, norm(image));
       }
   return best;
 }
@@ -80,7 +84,7 @@ using Pairs = std::set<std::pair<std::uint32_t, std::uint32_t>>;
 
 void expect_pairs_of_brute_force(const Packing& p, int threads) {
   NearPairs near;
-  near.rebuild(p.parcels, one_class, p.margin, p.reach, p.box, threads);
+  near.rebuild(p.parcels, one_class, p.margin, p.reach, p.box, p.slide, threads);
   Pairs found;
   for (std::size_t s = 0; s < near.slots(); ++s) {
     const auto a = p.parcels.body[near.first[s]].id, b = p.parcels.body[near.second[s]].id;
@@ -136,9 +140,9 @@ TEST(NearPairs, AreTheSameForAnyNumberOfThreads) {
   for (std::uint64_t k = 0; k < 5; ++k) {
     const Packing p = random_packing(400 + k, column, 1000, 1.0);
     NearPairs one, two, three;
-    one.rebuild(p.parcels, one_class, p.margin, p.reach, p.box, 1);
-    two.rebuild(p.parcels, one_class, p.margin, p.reach, p.box, 2);
-    three.rebuild(p.parcels, one_class, p.margin, p.reach, p.box, 3);
+    one.rebuild(p.parcels, one_class, p.margin, p.reach, p.box, p.slide, 1);
+    two.rebuild(p.parcels, one_class, p.margin, p.reach, p.box, p.slide, 2);
+    three.rebuild(p.parcels, one_class, p.margin, p.reach, p.box, p.slide, 3);
     expect_pairs_of_brute_force(p, 3);
     for (const NearPairs* other : {&two, &three}) {
       EXPECT_EQ(one.first, other->first);
@@ -152,9 +156,46 @@ TEST(NearPairs, AreNoneAmongNoneAndOneParcel) {
   for (const std::size_t count : {std::size_t{0}, std::size_t{1}}) {
     const Packing p = random_packing(500, all_around, count, 2.0);
     NearPairs near;
-    near.rebuild(p.parcels, one_class, p.margin, p.reach, p.box, 2);
+    near.rebuild(p.parcels, one_class, p.margin, p.reach, p.box, p.slide, 2);
     EXPECT_EQ(near.slots(), 0u);
     EXPECT_EQ(near.begin.size(), count + 1);
+  }
+}
+
+/// The same sheared: flow and gradient along any two axes, images shifted by up to half of the box.
+Packing random_sheared_packing(std::uint64_t number, std::size_t count, double smallest_period) {
+  Packing p = random_packing(number, all_around, count, smallest_period);
+  Draw draw(number, 23);
+  p.box.shear.flow = static_cast<int>(number % 3);
+  p.box.shear.gradient = static_cast<int>((number + 1 + number / 3 % 2) % 3);
+  p.box.shear.shift_at_start = p.box.extent()[p.box.shear.flow] * draw.between(-3.0, 3.0);
+  p.slide = Slide::of(p.box, 0.0);
+  return p;
+}
+
+TEST(NearPairs, AreThoseOfBruteForceInASlidingBox) {
+  for (std::uint64_t k = 0; k < 60; ++k)
+    expect_pairs_of_brute_force(random_sheared_packing(800 + k, 400, 2.0), 1 + static_cast<int>(k % 3));
+}
+
+TEST(CellGrid, RangesAroundACellOfASlidingBoxHoldEveryPointWithinTheEdgeExactlyOnce) {
+  for (std::uint64_t number = 0; number < 60; ++number) {
+    Draw draw(number, 24);
+    const Packing p = random_sheared_packing(900 + number, 300, 0.3);
+    const double edge = draw.between(0.5, 5.0);
+    CellGrid grid;
+    grid.build(p.box, edge, p.parcels.size(), [&](std::size_t k) { return p.parcels.body[k].position; });
+    for (std::size_t i = 0; i < p.parcels.size(); ++i) {
+      std::map<std::uint32_t, int> seen;
+      grid.for_ranges_around(grid.cell_of(i), p.slide, [&](std::uint32_t from, std::uint32_t to) {
+        for (std::uint32_t k = from; k < to; ++k) ++seen[grid.order()[k]];
+      });
+      for (const auto& [point, times] : seen) ASSERT_EQ(times, 1);
+      for (std::size_t j = 0; j < p.parcels.size(); ++j)
+        if (shortest(p, i, j) < edge * (1.0 - 1e-12)) {
+          ASSERT_EQ(seen.count(static_cast<std::uint32_t>(j)), 1u);
+        }
+    }
   }
 }
 
@@ -183,7 +224,7 @@ TEST(CellGrid, RangesAroundACellHoldEveryPointWithinTheEdgeExactlyOnce) {
 TEST(ContactHistory, SurvivesARebuildInAnotherOrder) {
   Packing p = random_packing(700, column, 600, 1.0);
   NearPairs near;
-  near.rebuild(p.parcels, one_class, p.margin, p.reach, p.box, 1);
+  near.rebuild(p.parcels, one_class, p.margin, p.reach, p.box, p.slide, 1);
   // Every third pair touches and remembers numbers of its own.
   const auto memory = [](std::uint32_t a, std::uint32_t b) {
     return laws::History{{a * 1.0, b * 1.0, a * 1e3 + b}, {b * 2.0, a * 3.0, 1.0}};
@@ -215,7 +256,7 @@ TEST(ContactHistory, SurvivesARebuildInAnotherOrder) {
   moved.load.resize(moved.body.size());
   for (const int threads : {1, 2, 3}) {
     NearPairs after;
-    after.rebuild(moved, one_class, margin, p.reach, p.box, threads);
+    after.rebuild(moved, one_class, margin, p.reach, p.box, p.slide, threads);
     EXPECT_EQ(after.restore(list, old_index, moved, threads), count);
     std::size_t touching = 0;
     for (std::size_t s = 0; s < after.slots(); ++s) {

@@ -103,9 +103,7 @@ TEST(Factors, AreSplitAtCommasOutsideQuotesAndBrackets) {
 
 TEST(Processors, AreSharedAmongTheRuns) {
   const auto of = [](int jobs, int threads, std::size_t runs, int processors) {
-    Request request;
-    request.jobs = jobs, request.threads = threads;
-    const Shares s = shares(request, runs, processors);
+    const Shares s = shares(jobs, threads, runs, processors);
     return std::pair(s.jobs, s.threads);
   };
   EXPECT_EQ(of(0, 0, 100, 16), std::pair(16, 1));

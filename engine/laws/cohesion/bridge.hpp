@@ -37,11 +37,12 @@ struct BridgePair {
 };
 
 inline constexpr std::array bridge_parameters{
-    Parameter{"surface_tension", &MaterialPair::surface_tension, 1e-6, 10.0, "N/m"},
-    Parameter{"contact_angle", &MaterialPair::contact_angle, 0.0, 0.8727, "rad"},
-    Parameter{"liquid_content", &MaterialPair::liquid_content, 1e-7, 0.5, "-"},
-    Parameter{"liquid_viscosity", &MaterialPair::liquid_viscosity, 0.0, 1e4, "Pa s"},
-    Parameter{"shortest_bridge_gap", &MaterialPair::shortest_bridge_gap, 1e-6, 1.0, "-"}};
+    Parameter{"surface_tension", &MaterialPair::surface_tension, 1e-6, 10.0, "N/m",
+              PullOff::grows_with(1, 1)},
+    Parameter{"contact_angle", &MaterialPair::contact_angle, 0.0, 0.8727, "rad", PullOff::apart()},
+    Parameter{"liquid_content", &MaterialPair::liquid_content, 1e-7, 0.5, "-", PullOff::apart()},
+    Parameter{"liquid_viscosity", &MaterialPair::liquid_viscosity, 0.0, 1e4, "Pa s", PullOff::apart()},
+    Parameter{"shortest_bridge_gap", &MaterialPair::shortest_bridge_gap, 1e-6, 1.0, "-", PullOff::apart()}};
 
 inline BridgePair mix_bridge(const MaterialPair& pair, const Choices& choices) {
   return {pair.surface_tension,

@@ -31,9 +31,10 @@ struct Hamaker {
     double longest;   ///< h_max, m
   };
   static constexpr std::array parameters{
-      Parameter{"hamaker_constant", &MaterialPair::hamaker_constant, 1e-24, 1e-15, "J"},
-      Parameter{"shortest_gap", &MaterialPair::shortest_gap, 1e-11, 1e-3, "m"},
-      Parameter{"longest_gap", &MaterialPair::longest_gap, 1e-11, 1e-2, "m"}};
+      Parameter{"hamaker_constant", &MaterialPair::hamaker_constant, 1e-24, 1e-15, "J",
+                PullOff::grows_with(1, -1)},
+      Parameter{"shortest_gap", &MaterialPair::shortest_gap, 1e-11, 1e-3, "m", PullOff::apart()},
+      Parameter{"longest_gap", &MaterialPair::longest_gap, 1e-11, 1e-2, "m", PullOff::apart()}};
 
   static Pair mix(const MaterialPair& pair, const Choices&) {
     return {pair.hamaker_constant / 6.0, pair.shortest_gap, pair.longest_gap};

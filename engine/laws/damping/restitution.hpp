@@ -37,7 +37,7 @@ struct Restitution {
   };
 
   static constexpr std::array parameters{
-      Parameter{"restitution", &MaterialPair::restitution, 1e-3, 1.0, "-"}};
+      Parameter{"restitution", &MaterialPair::restitution, 1e-3, 1.0, "-", PullOff::apart()}};
 
   static Pair mix(const MaterialPair& pair, const Choices& choices, const Stiffness& stiffness) {
     const double log_e = logarithm(pair.restitution);

@@ -52,8 +52,8 @@ struct Edinburgh {
   };
   static constexpr std::array parameters{
       needs::effective_modulus, needs::work_of_adhesion,
-      Parameter{"unloading_ratio", &MaterialPair::unloading_ratio, 1.001, 1e4, "-"},
-      Parameter{"constant_pull", &MaterialPair::constant_pull, -1e3, 0.0, "N"}};
+      Parameter{"unloading_ratio", &MaterialPair::unloading_ratio, 1.001, 1e4, "-", PullOff::apart()},
+      Parameter{"constant_pull", &MaterialPair::constant_pull, -1e3, 0.0, "N", PullOff::grows_with(1, 0)}};
 
   static Pair mix(const MaterialPair& pair, const Choices& choices) {
     return {pair.effective_modulus,

@@ -33,9 +33,10 @@ struct Hooke {
     double scale;  ///< (16/15)^(4/5) (E*^4 V^2)^(1/5)
   };
   static constexpr std::array parameters{
-      Parameter{"normal_stiffness", &MaterialPair::normal_stiffness, 0.0, 1e15, "N/m"},
-      Parameter{"characteristic_speed", &MaterialPair::characteristic_speed, 0.0, 1e4, "m/s"},
-      Parameter{"tangential_ratio", &MaterialPair::tangential_ratio, 0.0, 1.0, "-"}};
+      Parameter{"normal_stiffness", &MaterialPair::normal_stiffness, 0.0, 1e15, "N/m", PullOff::apart()},
+      Parameter{"characteristic_speed", &MaterialPair::characteristic_speed, 0.0, 1e4, "m/s",
+                PullOff::apart()},
+      Parameter{"tangential_ratio", &MaterialPair::tangential_ratio, 0.0, 1.0, "-", PullOff::apart()}};
 
   static Pair mix(const MaterialPair& pair, const Choices&) {
     const double speed = pair.characteristic_speed;

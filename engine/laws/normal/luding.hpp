@@ -38,12 +38,13 @@ struct Luding {
     double shift;          ///< k_c/k_1 where the limit is "without", else 0
   };
   static constexpr std::array parameters{
-      Parameter{"normal_stiffness", &MaterialPair::normal_stiffness, 0.0, 1e15, "N/m"},
-      Parameter{"characteristic_speed", &MaterialPair::characteristic_speed, 0.0, 1e4, "m/s"},
-      Parameter{"tangential_ratio", &MaterialPair::tangential_ratio, 0.0, 1.0, "-"},
-      Parameter{"plastic_ratio", &MaterialPair::plastic_ratio, 1.001, 1e4, "-"},
-      Parameter{"adhesion_ratio", &MaterialPair::adhesion_ratio, 0.0, 1e4, "-"},
-      Parameter{"plasticity_depth", &MaterialPair::plasticity_depth, 1e-6, 1.0, "-"}};
+      Parameter{"normal_stiffness", &MaterialPair::normal_stiffness, 0.0, 1e15, "N/m", PullOff::apart()},
+      Parameter{"characteristic_speed", &MaterialPair::characteristic_speed, 0.0, 1e4, "m/s",
+                PullOff::apart()},
+      Parameter{"tangential_ratio", &MaterialPair::tangential_ratio, 0.0, 1.0, "-", PullOff::apart()},
+      Parameter{"plastic_ratio", &MaterialPair::plastic_ratio, 1.001, 1e4, "-", PullOff::apart()},
+      Parameter{"adhesion_ratio", &MaterialPair::adhesion_ratio, 0.0, 1e4, "-", PullOff::otherwise()},
+      Parameter{"plasticity_depth", &MaterialPair::plasticity_depth, 1e-6, 1.0, "-", PullOff::apart()}};
 
   static Pair mix(const MaterialPair& pair, const Choices& choices) {
     const double ratio = pair.plastic_ratio;

@@ -32,7 +32,7 @@ struct ElasticPlasticViscous {
   };
   static constexpr std::array parameters{
       needs::rolling_friction,
-      Parameter{"rolling_viscosity", &MaterialPair::rolling_viscosity, 0.0, 10.0, "-"}};
+      Parameter{"rolling_viscosity", &MaterialPair::rolling_viscosity, 0.0, 10.0, "-", PullOff::apart()}};
 
   static Pair mix(const MaterialPair& pair, const Choices&, const Stiffness& stiffness) {
     return {2.25 * stiffness.secant * square(pair.rolling_friction), 2.0 * pair.rolling_viscosity,

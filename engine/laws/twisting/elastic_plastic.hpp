@@ -32,7 +32,7 @@ struct ElasticPlastic {
     double friction;   ///< mu_w, -
   };
   static constexpr std::array parameters{
-      Parameter{"twisting_friction", &MaterialPair::twisting_friction, 0.0, 10.0, "-"}};
+      Parameter{"twisting_friction", &MaterialPair::twisting_friction, 0.0, 10.0, "-", PullOff::apart()}};
 
   static Pair mix(const MaterialPair& pair, const Choices&, const Stiffness& stiffness) {
     return {stiffness.tangential, pair.twisting_friction};
