@@ -36,15 +36,20 @@ const Series series[] = {{"hertz", "box-filling.toml", {"stress"}},
                          {"sjkr2", "box-filling-sjkr2.toml", {"bond", "stress"}},
                          {"capillary", "box-filling-capillary.toml", {"bond", "stress", "none"}}};
 
+/// Coarse beds scatter more, for they have fewer parcels, and cost less: more seeds make up for part of that.
+int seeds_at(double factor, double finest, int seeds) {
+  return static_cast<int>(std::lround(seeds * std::pow(factor / finest, 1.5)));
+}
+
 std::vector<Point> points(const Options& options) {
   std::vector<double> factors = !options.factors.empty() ? options.factors
                                 : options.quick          ? quick_factors
                                                          : standard_factors;
   std::sort(factors.begin(), factors.end());
-  const int seeds = options.seeds > 0 ? options.seeds : options.quick ? 2 : 4;
+  const int seeds = options.seeds > 0 ? options.seeds : options.quick ? 2 : 4;  // of the finest factor
   std::vector<Point> list;
   for (const double factor : factors)
-    for (int seed = 1; seed <= seeds; ++seed)
+    for (int seed = 1; seed <= seeds_at(factor, factors.front(), seeds); ++seed)
       for (const Series& s : series)
         for (const char* similarity : s.similarities)
           list.push_back({fmt::format("{}-{}-{:g}-seed-{}", s.law, similarity, factor, seed),
