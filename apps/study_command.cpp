@@ -38,7 +38,8 @@ void add_study_command(CLI::App& app) {
   study->add_flag("--quick")->description("fewer and smaller points: minutes");
   study->add_option("--factors", "factors of coarse graining, like 8,6,4; default: the study's own")
       ->delimiter(',')
-      ->expected(1)
+      ->expected(1, 1000)
+      ->allow_extra_args(false)
       ->check(CLI::Range(1.0, 1e6));
   study->add_option("--seeds", "the seeds 1 to N, where chance matters; default: the study's own")
       ->check(CLI::Range(1, 10000));

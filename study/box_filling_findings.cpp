@@ -32,6 +32,9 @@ class Beds {
   }
 
   const std::set<double>& factors() const { return factors_; }
+  bool has(const std::string& law, const std::string& similarity) const {
+    return beds_.contains({law, similarity});
+  }
   const std::vector<const Json*>& of(const std::string& law, const std::string& similarity,
                                      double factor) const {
     return beds_.at({law, similarity}).at(factor);
@@ -70,6 +73,7 @@ void judge_similarities(const Beds& beds, Findings& f) {
   for (const char* law : {"jkr", "sjkr2", "capillary"})
     for (const double factor : beds.factors())
       for (const auto& [dense, loose] : {std::pair{"none", "stress"}, {"stress", "bond"}}) {
+        if (!beds.has(law, dense)) continue;
         const auto a = beds.values(law, dense, factor, "porosity"),
                    b = beds.values(law, loose, factor, "porosity");
         const Difference d = difference(a, b);
@@ -203,10 +207,13 @@ void add_figures(const Beds& beds, Findings& f) {
        {std::pair{"porosity", "porosity"}, {"coordination", "contacts per parcel"}}) {
     f.figure(over_factors(beds, fmt::format("{}-without-cohesion", quantity), quantity, label,
                           {{"hertz", "stress"}, {"hooke", "stress"}}, "Beds without cohesion"));
-    for (const char* law : {"jkr", "sjkr2", "capillary"})
-      f.figure(over_factors(beds, fmt::format("{}-{}", quantity, law), quantity, label,
-                            {{law, "none"}, {law, "stress"}, {law, "bond"}},
+    for (const char* law : {"jkr", "sjkr2", "capillary"}) {
+      std::vector<std::pair<std::string, std::string>> lines;
+      for (const char* similarity : {"none", "stress", "bond"})
+        if (beds.has(law, similarity)) lines.emplace_back(law, similarity);
+      f.figure(over_factors(beds, fmt::format("{}-{}", quantity, law), quantity, label, lines,
                             fmt::format("Beds with cohesion: {}", law)));
+    }
   }
   for (const char* law : {"hertz", "jkr", "sjkr2", "capillary"}) f.figure(profile(beds, law));
 }

@@ -41,7 +41,8 @@ double difference(const laws::Law& law, const RandomState& s) {
     const double force = norm(a.force), torque = norm(a.roll_torque);
     if (a.touching != b.touching) return HUGE_VAL;
     if (force > 0.0) worst = std::fmax(worst, norm(b.force / (alpha * alpha) - a.force) / force);
-    if (torque > 0.0)
+    if (torque > 1e-9 * force * t.radius)  // else what rounding leaves of a limit of zero
+
       worst = std::fmax(worst, norm(b.roll_torque / std::pow(alpha, 3) - a.roll_torque) / torque);
     grain = a.history, parcel = b.history;
     t.was_touching = a.touching;

@@ -31,7 +31,7 @@ TEST(Extrapolation, FindsTheOrderAndTheValueOfGrains) {
 }
 
 TEST(Extrapolation, AssumesTheFirstOrderWhereScatterHidesItOrItCannotBeBelieved) {
-  const Extrapolation hidden = extrapolate(samples(1.7, 0.01));
+  const Extrapolation hidden = extrapolate(samples(1.7, 0.02));
   EXPECT_FALSE(hidden.order_observed);
   EXPECT_EQ(hidden.order, 1.0);
   EXPECT_GT(hidden.scatter, 0.01);
