@@ -240,6 +240,7 @@ Assembly assemble(const Case& c) {
   m.body_force = c.body_force;
   m.dt = a.time_step.step;
   m.seed = c.seed;
+  m.energy_ledger = c.measures.energy_ledger;
   check_periodic_widths(m, problems);
   for (const Motion& motion : c.motions) m.motions.push_back(motion.motion);
   check_law(c, a.species, a.pairs, problems);
