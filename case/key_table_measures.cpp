@@ -102,7 +102,8 @@ void append_measures(Keys& keys) {
               .kind = boolean,
               .example = "true",
               .standard = "false",
-              .help = "add up where all energy goes: what contacts store, each dissipation, touch and separation, walls, "
+              .help = "add up where all energy goes: what contacts store, each dissipation, touch and "
+                      "separation, walls, "
                       "insertion; steps take about twice as long"},
              {.pattern = "measures.wall_window",
               .kind = quantity,

@@ -37,11 +37,13 @@ std::vector<EnergyLine> energy_lines(const EnergyBalance& b) {
          {"separation", "adhesion, at separation", lost, b[Term::separation]},
          {"forgotten_springs", "springs of contacts that ended", lost, b[Term::forgotten_springs]}});
   if (!b.splits_contacts)
-    terms({{"normal_not_split", "work against normal contact forces, not split", lost, b[Term::unsplit_normal]},
-           {"cohesion_not_split", "work against cohesion, not split", lost, b[Term::unsplit_cohesion]}});
+    terms(
+        {{"normal_not_split", "work against normal contact forces, not split", lost, b[Term::unsplit_normal]},
+         {"cohesion_not_split", "work against cohesion, not split", lost, b[Term::unsplit_cohesion]}});
   terms({{"walls", "work of walls", brought_in, b[Term::walls]},
          {"sliding_stiffness", "change of sliding stiffness", brought_in, b[Term::sliding_stiffness]},
-         {"rolling_stiffness", "change of rolling and twisting stiffness", brought_in, b[Term::rolling_stiffness]},
+         {"rolling_stiffness", "change of rolling and twisting stiffness", brought_in,
+          b[Term::rolling_stiffness]},
          {"changed_contacts", "contacts that changed otherwise than by their law", brought_in,
           b[Term::changed_contacts]}});
   if (!b.has_potential) list.push_back({"body_forces", "work of body forces", brought_in, b.body_forces});
@@ -56,15 +58,16 @@ std::vector<EnergyLine> energy_lines(const EnergyBalance& b) {
 
 void warn_of_energy(const EnergyBalance& balance, RunSummary& summary) {
   if (std::abs(balance.closing_share()) <= 0.01) return;
-  add_warning(summary, fmt::format("the ledger of energy does not close: {:.2g} % of the energy put through is "
-                                   "unaccounted for; lower time.fraction",
-                                   100 * balance.closing_share()));
+  add_warning(summary,
+              fmt::format("the ledger of energy does not close: {:.2g} % of the energy put through is "
+                          "unaccounted for; lower time.fraction",
+                          100 * balance.closing_share()));
 }
 
 std::string energy_text(const EnergyBalance& b) {
   const auto joule = [](double value) { return format_quantity(value, dimension::energy); };
-  std::string text = fmt::format("  energy: {} put through, closing error {:.2g} of it", joule(b.put_through()),
-                                 b.closing_share());
+  std::string text = fmt::format("  energy: {} put through, closing error {:.2g} of it",
+                                 joule(b.put_through()), b.closing_share());
   const auto list = [&](const char* words, EnergyLine::Kind kind) {
     std::string lines;
     for (const EnergyLine& line : energy_lines(b))

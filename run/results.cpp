@@ -93,8 +93,8 @@ std::vector<std::string> log_columns(const Case& c) {
                                    "inserted_mass_kg",
                                    "escaped"};
   if (c.measures.energy_ledger)
-    columns.insert(columns.end(), {"potential_energy_J", "stored_energy_J", "lost_energy_J", "brought_in_energy_J",
-                                   "energy_closing_error_J"});
+    columns.insert(columns.end(), {"potential_energy_J", "stored_energy_J", "lost_energy_J",
+                                   "brought_in_energy_J", "energy_closing_error_J"});
   return columns;
 }
 
@@ -209,12 +209,18 @@ void Results::log(const Simulation& simulation, const std::string& phase) {
   }
   const double overlap = largest_overlap_ratio(simulation);
   written_.largest_overlap = std::max(written_.largest_overlap, overlap);
-  std::vector<CsvCell> cells{static_cast<std::int64_t>(state.step), simulation.time(), std::string_view(phase),
-            static_cast<std::int64_t>(state.parcels.size()),
-            static_cast<std::int64_t>(count_of(simulation.pairs().touching)),
-            static_cast<std::int64_t>(count_of(simulation.walls().touching)),
-            measures::energies(sight.bodies, simulation.field().gravity).kinetic(), fastest, overlap, highest,
-            state.ledger.inserted_mass, static_cast<std::int64_t>(state.ledger.escaped)};
+  std::vector<CsvCell> cells{static_cast<std::int64_t>(state.step),
+                             simulation.time(),
+                             std::string_view(phase),
+                             static_cast<std::int64_t>(state.parcels.size()),
+                             static_cast<std::int64_t>(count_of(simulation.pairs().touching)),
+                             static_cast<std::int64_t>(count_of(simulation.walls().touching)),
+                             measures::energies(sight.bodies, simulation.field().gravity).kinetic(),
+                             fastest,
+                             overlap,
+                             highest,
+                             state.ledger.inserted_mass,
+                             static_cast<std::int64_t>(state.ledger.escaped)};
   if (const auto energy = simulation.energy())
     cells.insert(cells.end(), {energy->potential, energy->stored(), energy->lost(),
                                energy->brought_in() + energy->body_forces, energy->closing_error()});

@@ -7,6 +7,7 @@
 #include "engine/contacts/near_pairs.hpp"
 #include "engine/contacts/near_walls.hpp"
 #include "engine/kernels/energy_block.hpp"
+#include "engine/math/exact_sum.hpp"
 
 namespace pulvis {
 
@@ -50,7 +51,8 @@ class EnergyWorks {
   void pairs(const ContactView& view, std::size_t from, std::size_t to, Scratch& scratch) const;
   void walls(const ContactView& view, std::uint32_t parcel, Scratch& scratch) const;
   void stage_pair(const ContactView& view, std::size_t slot, kernels::EnergyBlock& b) const;
-  void stage_wall(const ContactView& view, std::uint32_t slot, std::uint32_t source, kernels::EnergyBlock& b) const;
+  void stage_wall(const ContactView& view, std::uint32_t slot, std::uint32_t source,
+                  kernels::EnergyBlock& b) const;
   void find_sources(const ContactView& view, std::uint32_t begin, std::uint32_t end, Scratch& scratch) const;
   void flush(const ContactView& view, std::size_t contact_class, bool walls, Scratch& scratch) const;
   kernels::EnergySums sum(const ContactView& view);

@@ -37,8 +37,8 @@ inline WallSight look(const Walls& walls, const NearWalls& near, std::size_t slo
 
 /// Direction to the wall in the middle of the step, in space: where curved surfaces, edges and turning bodies stood dt/2
 /// ago. `sight` is from the end of the step, `half` from its middle.
-inline Vec3 normal_in_the_middle(const Walls& walls, const NearWalls& near, std::size_t slot, const WallSight& sight,
-                                 const WallSight& half, const Pose& pose) {
+inline Vec3 normal_in_the_middle(const Walls& walls, const NearWalls& near, std::size_t slot,
+                                 const WallSight& sight, const WallSight& half, const Pose& pose) {
   const Surface::Kind kind = walls.surfaces[near.surface[slot]].kind;
   // In the middle of the step it may still have been on an edge, where the normal turns.
   const bool flat =

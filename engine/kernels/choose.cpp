@@ -10,15 +10,15 @@ namespace pulvis::kernels {
 namespace baseline {
 ContactKernel contact_kernel(const laws::Law& law);
 EnergyKernel energy_kernel(const laws::Law& law);
-}
+}  // namespace baseline
 namespace avx2 {
 ContactKernel contact_kernel(const laws::Law& law);
 EnergyKernel energy_kernel(const laws::Law& law);
-}
+}  // namespace avx2
 namespace avx512 {
 ContactKernel contact_kernel(const laws::Law& law);
 EnergyKernel energy_kernel(const laws::Law& law);
-}
+}  // namespace avx512
 
 namespace {
 

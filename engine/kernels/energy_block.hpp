@@ -48,9 +48,9 @@ struct EnergyBlock {
 
   // Gathered for pairs; walls are staged with what `geometry` makes of it.
   Vec3 period;
-  Lanes3 offset;                        ///< x_second - x_first, of any image, end of step
-  Lanes3 linear, end_linear;            ///< v_first - v_second, mid-step and end
-  Lanes3 spin_first, spin_second;       ///< mid-step
+  Lanes3 offset;                   ///< x_second - x_first, of any image, end of step
+  Lanes3 linear, end_linear;       ///< v_first - v_second, mid-step and end
+  Lanes3 spin_first, spin_second;  ///< mid-step
   Lanes3 end_spin_first, end_spin_second;
   alignas(64) Lane radius_first, radius_second, mass_first, mass_second;
 

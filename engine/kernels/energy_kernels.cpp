@@ -97,8 +97,7 @@ PULVIS_INLINE void account_normal(EnergyBlock& b, int k, const typename Part::Pa
     term(b, EnergyTerm::cohesive, k) = is * now.cohesive;
     const double began = is * (1.0 - was), ended = was * (1.0 - is);
     const double in_touch = select(touch_before.overlap > 0.0, 1.0, 0.0);
-    const double opened =
-        select(touch.overlap <= -Part::separation_gap(touch.radius, pair), 1.0, 0.0);
+    const double opened = select(touch.overlap <= -Part::separation_gap(touch.radius, pair), 1.0, 0.0);
     term(b, EnergyTerm::touch, k) = -(began * (1.0 - in_touch)) * Part::stored_at_touch(touch.radius, pair);
     term(b, EnergyTerm::separation, k) = ended * opened * Part::stored_at_separation(touch.radius, pair);
     term(b, EnergyTerm::changed_contacts, k) =
@@ -192,10 +191,9 @@ PULVIS_INLINE void account_sliding(EnergyBlock& b, int k, const typename Part::P
     const Vec3 carried = in_plane(laws::carried_to_middle(old, touch), touch.normal);
     const Vec3 moved = (stiffness * dt) * in_plane(slip, touch.normal);
     const Vec3 now = (sense * as_force) * spring;
-    const laws::SpringStep step = laws::spring_step(acting * carried, keeping * carried,
-                                                    keeping * carried + moved, now, stiffness_before, stiffness);
-    const double half_before =
-        select(stiffness_before > 0.0, 0.5 / greatest(stiffness_before, 1e-300), 0.0);
+    const laws::SpringStep step = laws::spring_step(
+        acting * carried, keeping * carried, keeping * carried + moved, now, stiffness_before, stiffness);
+    const double half_before = select(stiffness_before > 0.0, 0.5 / greatest(stiffness_before, 1e-300), 0.0);
     term(b, EnergyTerm::sliding_spring, k) = held * step.stored;
     term(b, EnergyTerm::sliding, k) = held * step.slipped;
     term(b, EnergyTerm::sliding_stiffness, k) = held * step.stiffened;
@@ -220,8 +218,7 @@ PULVIS_INLINE void account_rolling(EnergyBlock& b, int k, const typename Rolling
     const double twisted = dot(old, before);
     old = old - twisted * before;
     double spring = twisted;
-    const double twist =
-        Twisting::twist(touch, size, limit, b.tangential_damping[k], twisting, spring);
+    const double twist = Twisting::twist(touch, size, limit, b.tangential_damping[k], twisting, spring);
     const double stiffness = Twisting::spring_stiffness(size, touch.radius, twisting);
     const double stiffness_before = Twisting::spring_stiffness(size_before, touch.radius, twisting);
     const double turned = dot(touch.spin, touch.half_normal);
@@ -232,7 +229,8 @@ PULVIS_INLINE void account_rolling(EnergyBlock& b, int k, const typename Rolling
     term(b, EnergyTerm::twisting, k) = held * step.slipped;
     term(b, EnergyTerm::twisting_dashpot, k) = -held * (twist - spring) * dot(end_spin, touch.normal) * dt;
     stiffened = step.stiffened;
-    forgotten = select(stiffness_before > 0.0, 0.5 / greatest(stiffness_before, 1e-300), 0.0) * twisted * twisted;
+    forgotten =
+        select(stiffness_before > 0.0, 0.5 / greatest(stiffness_before, 1e-300), 0.0) * twisted * twisted;
   }
   Vec3 spring = old;
   const Vec3 torque = Rolling::roll(touch, size, limit, rolling, spring);
@@ -249,8 +247,8 @@ PULVIS_INLINE void account_rolling(EnergyBlock& b, int k, const typename Rolling
     term(b, EnergyTerm::rolling, k) = held * step.slipped;
     term(b, EnergyTerm::rolling_dashpot, k) = -held * dot(torque - spring, end_spin) * dt;
     stiffened = stiffened + step.stiffened;
-    forgotten = forgotten + select(stiffness_before > 0.0, 0.5 / greatest(stiffness_before, 1e-300), 0.0) *
-                                dot(old, old);
+    forgotten = forgotten +
+                select(stiffness_before > 0.0, 0.5 / greatest(stiffness_before, 1e-300), 0.0) * dot(old, old);
   }
   term(b, EnergyTerm::rolling_stiffness, k) = held * stiffened;
   term(b, EnergyTerm::forgotten_springs, k) += (1.0 - held) * forgotten;
@@ -309,7 +307,8 @@ void rolling_stage(EnergyBlock& b, const double* constants, double dt) {
 
 /// Terms that several parts write to, or that not every law's parts write at all.
 void clear_stage(EnergyBlock& b, const double*, double) {
-  for (const EnergyTerm t : {EnergyTerm::cohesive, EnergyTerm::changed_contacts, EnergyTerm::forgotten_springs})
+  for (const EnergyTerm t :
+       {EnergyTerm::cohesive, EnergyTerm::changed_contacts, EnergyTerm::forgotten_springs})
     for (int k = 0; k < b.count; ++k) term(b, t, k) = 0.0;
 }
 
@@ -373,7 +372,8 @@ void use_terms(const laws::Law& law, EnergyKernel& kernel) {
   use(stored, {elastic, cohesive, touch, separation, changed_contacts});
   use(!stored, {unsplit_normal});
   use(law.damping->name != laws::damping::None::name, {normal_dashpot});
-  const bool pull = law.cohesion->acts, pull_stored = normal_states(laws::CohesionParts{}, law.cohesion->index);
+  const bool pull = law.cohesion->acts,
+             pull_stored = normal_states(laws::CohesionParts{}, law.cohesion->index);
   use(pull && pull_stored, {cohesive, changed_contacts});
   use(pull && !pull_stored, {unsplit_cohesion});
   use(pull && law.cohesion->is_viscous, {liquid});
@@ -383,7 +383,8 @@ void use_terms(const laws::Law& law, EnergyKernel& kernel) {
   const bool rolls = spring_of(laws::RollingParts{}, law.rolling->index) != laws::SpringKind::none;
   use(rolls, {rolling_spring, rolling_stiffness, rolling_dashpot, forgotten_springs});
   use(law.rolling->name != laws::rolling::None::name, {rolling});
-  use(law.twisting->acts, {twisting_spring, twisting, twisting_dashpot, rolling_stiffness, forgotten_springs});
+  use(law.twisting->acts,
+      {twisting_spring, twisting, twisting_dashpot, rolling_stiffness, forgotten_springs});
 }
 
 }  // namespace

@@ -27,7 +27,9 @@ bool has_potential(const Model& model) {
 Quanta quanta(const EnergyAccount::Total& t) {
   return (static_cast<Quanta>(t.high) << 64) + static_cast<Quanta>(t.low);
 }
-EnergyAccount::Total total(Quanta q) { return {static_cast<std::uint64_t>(q), static_cast<std::int64_t>(q >> 64)}; }
+EnergyAccount::Total total(Quanta q) {
+  return {static_cast<std::uint64_t>(q), static_cast<std::int64_t>(q >> 64)};
+}
 
 bool is_stored(std::size_t term) { return term <= static_cast<std::size_t>(EnergyTerm::twisting_spring); }
 /// Of terms that add the work of a whole kick, half of the last belongs to the step that comes.
@@ -76,7 +78,8 @@ void EnergyLedger::begin(EnergyAccount& account, const ContactView& view, const 
   account.body_forces = total(first / 2);
   account.last_body_forces = total(first);
   Quanta sum = grid_.count(works_.stored(view));
-  for (const Parcel& p : view.parcels.body) sum += grid_.count(kinetic(p)) + grid_.count(potential(p, p.position));
+  for (const Parcel& p : view.parcels.body)
+    sum += grid_.count(kinetic(p)) + grid_.count(potential(p, p.position));
   account.start = grid_.value(sum);
 }
 
@@ -90,8 +93,8 @@ Quanta EnergyLedger::work_of_body_forces(const ContactView& view, const ForceFie
       const Parcel& p = view.parcels.body[i];
       Vec3 acceleration = field.at(p.position);
       if (field.rotating) acceleration -= cross(field.spin_rate, p.position - field.point);
-      const double power =
-          p.mass * dot(acceleration, p.velocity) - (field.rotating ? inertia(p) * dot(field.spin_rate, p.spin) : 0.0);
+      const double power = p.mass * dot(acceleration, p.velocity) -
+                           (field.rotating ? inertia(p) * dot(field.spin_rate, p.spin) : 0.0);
       sum += grid_.count(power * dt_);
     }
     shares_[static_cast<std::size_t>(thread)] = sum;
@@ -116,8 +119,8 @@ void EnergyLedger::insert(EnergyAccount& account, const Parcel& p, const ForceFi
   account.inserted += kinetic(p) + potential(p, p.position);
   // It gets the second half of this moment's kick, which was reckoned without it.
   if (!has_potential_)
-    account.body_forces =
-        total(quanta(account.body_forces) + grid_.count(0.5 * dt_ * p.mass * dot(field.at(p.position), p.velocity)));
+    account.body_forces = total(quanta(account.body_forces) +
+                                grid_.count(0.5 * dt_ * p.mass * dot(field.at(p.position), p.velocity)));
 }
 
 void EnergyLedger::remove(EnergyAccount& account, const Parcel& p, const Vec3& place) const {
@@ -139,7 +142,8 @@ EnergyBalance EnergyLedger::balance(const EnergyAccount& account, const Parcels&
     b.of[t] = grid_.value(quanta(account.terms[t]));
     if (is_of_kick(t)) b.of[t] -= 0.5 * grid_.value(quanta(account.last_terms[t]));
   }
-  b.body_forces = grid_.value(quanta(account.body_forces)) - 0.5 * grid_.value(quanta(account.last_body_forces));
+  b.body_forces =
+      grid_.value(quanta(account.body_forces)) - 0.5 * grid_.value(quanta(account.last_body_forces));
   b.start = account.start;
   b.inserted = account.inserted;
   b.removed = account.removed;

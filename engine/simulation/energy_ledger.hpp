@@ -15,11 +15,12 @@ struct EnergyBalance {
   using Term = kernels::EnergyTerm;
 
   double translational = 0.0, rotational = 0.0;
-  double potential = 0.0;  ///< -sum m g . x where gravity is the only body force, constant, across no periodic face
+  double potential =
+      0.0;  ///< -sum m g . x where gravity is the only body force, constant, across no periodic face
   std::array<double, kernels::energy_terms> of{};
   double start = 0.0, inserted = 0.0, removed = 0.0;
-  double body_forces = 0.0;    ///< their work, where they have no potential
-  bool has_potential = true;   ///< else the line above counts
+  double body_forces = 0.0;     ///< their work, where they have no potential
+  bool has_potential = true;    ///< else the line above counts
   bool splits_contacts = true;  ///< every law of the model states what it stores
 
   double operator[](Term t) const { return of[static_cast<std::size_t>(t)]; }
@@ -29,9 +30,12 @@ struct EnergyBalance {
   double lost() const {
     return sum(Term::normal_dashpot, Term::unsplit_friction) + sum(Term::sliding, Term::forgotten_springs);
   }
-  double brought_in() const { return (*this)[Term::walls] + sum(Term::sliding_stiffness, Term::changed_contacts); }
+  double brought_in() const {
+    return (*this)[Term::walls] + sum(Term::sliding_stiffness, Term::changed_contacts);
+  }
   double closing_error() const {
-    return kinetic() + potential + stored() - (start + inserted - removed + body_forces + brought_in() - lost());
+    return kinetic() + potential + stored() -
+           (start + inserted - removed + body_forces + brought_in() - lost());
   }
   /// What became of the energy so far: lost, or in motion and contacts now. It depends on no choice of zero of the
   /// potential, and leaves out what went to and fro.
@@ -55,7 +59,9 @@ class EnergyLedger {
   /// Begins the account, if it has not begun.
   void begin(EnergyAccount& account, const ContactView& view, const ForceField& field);
 
-  void before_contacts(const NearPairs& pairs, const NearWalls& walls) { works_.before_contacts(pairs, walls); }
+  void before_contacts(const NearPairs& pairs, const NearWalls& walls) {
+    works_.before_contacts(pairs, walls);
+  }
   void before_kick(const Parcels& parcels) { works_.before_kick(parcels); }
   /// `field` is that of the end of the step.
   void after_step(EnergyAccount& account, const ContactView& view, const ForceField& field);

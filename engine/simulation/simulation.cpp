@@ -93,8 +93,8 @@ void Simulation::step() {
 // --- energy ----------------------------------------------------------------------------------------------
 
 ContactView Simulation::view() const {
-  return {pairs_, walls_, state_.parcels, model_.walls, poses_, next_poses_, model_.classes, nearest_, model_.dt,
-          threads()};
+  return {pairs_,      walls_,         state_.parcels, model_.walls, poses_,
+          next_poses_, model_.classes, nearest_,       model_.dt,    threads()};
 }
 
 void Simulation::account_energy() {

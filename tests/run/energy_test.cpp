@@ -20,12 +20,12 @@ TEST(EnergyOfARun, IsInTheResultAndCloses) {
   const Json energy = accounted().result().at("energy");
   const auto of = [&](const std::string& line) { return energy.at(line + "_J").get<double>(); };
   double now = 0.0, lost = 0.0, brought_in = 0.0;
-  for (const char* line : {"translational", "rotational", "potential", "elastic", "cohesive", "sliding_springs",
-                           "rolling_springs", "twisting_springs"})
+  for (const char* line : {"translational", "rotational", "potential", "elastic", "cohesive",
+                           "sliding_springs", "rolling_springs", "twisting_springs"})
     now += of(line);
   for (const char* line : {"normal_dashpots", "tangential_dashpots", "sliding_friction", "rolling_friction",
-                           "rolling_dashpots", "twisting_friction", "twisting_dashpots", "viscous_friction", "liquid",
-                           "touch", "separation", "forgotten_springs"})
+                           "rolling_dashpots", "twisting_friction", "twisting_dashpots", "viscous_friction",
+                           "liquid", "touch", "separation", "forgotten_springs"})
     lost += of(line);
   for (const char* line : {"walls", "sliding_stiffness", "rolling_stiffness", "changed_contacts"})
     brought_in += of(line);
@@ -73,10 +73,12 @@ TEST(EnergyOfARun, IsTheSameForTwoThreadsAndEveryInstructionSet) {
   text = with(text, R"(min = ["0.5 mm", "0.5 mm", "1 mm"])", R"(min = ["0 mm", "0 mm", "0 mm"])");
   text = with(text, R"(max = ["2.5 mm", "2.5 mm", "3 mm"])", R"(max = ["15 mm", "15 mm", "12 mm"])");
   text = with(text, "20 ms", "1 ms");
-  const Json one = RunOfCase(text, {"--threads", "1"}).result(), two = RunOfCase(text, {"--threads", "2"}).result();
+  const Json one = RunOfCase(text, {"--threads", "1"}).result(),
+             two = RunOfCase(text, {"--threads", "2"}).result();
   EXPECT_EQ(two.at("threads_used"), 2);
   EXPECT_EQ(one.at("energy"), two.at("energy"));
-  const RunOfCase baseline(text, {"--threads", "1"}, {.environment = {{"PULVIS_INSTRUCTION_SET", "baseline"}}});
+  const RunOfCase baseline(text, {"--threads", "1"},
+                           {.environment = {{"PULVIS_INSTRUCTION_SET", "baseline"}}});
   EXPECT_EQ(one.at("energy"), baseline.result().at("energy"));
 }
 

@@ -45,8 +45,9 @@ Model empty_space(const laws::MaterialPair& pair, const LawParts& parts, double 
 /// Two equal spheres that start `gap` radii apart and fly into each other, each with `speed`.
 EnergyBalance collide(const Model& m, const Vec3& speed, const Vec3& spin, int steps, double gap = 0.01) {
   const Vec3 at{(1.0 + 0.5 * gap) * radius, 0, 0};
-  Simulation s(m, state_of(m, {parcel(0, -at, radius, density, speed, spin), parcel(1, at, radius, density, -speed)}),
-               1);
+  Simulation s(
+      m, state_of(m, {parcel(0, -at, radius, density, speed, spin), parcel(1, at, radius, density, -speed)}),
+      1);
   for (int k = 0; k < steps; ++k) s.step();
   return s.energy().value();
 }
@@ -69,8 +70,8 @@ TEST(EnergyLedger, HasInContactsWhatMotionLostToSecondOrderInTheStep) {
   double off[2];
   for (int k = 0; k < 2; ++k) {
     const double dt = k == 0 ? 2e-6 : 1e-6;
-    const EnergyBalance b =
-        collide(empty_space(material(1.0, 0.0), law("hertz"), dt), {0.5, 0, 0}, {}, static_cast<int>(1.2e-4 / dt + 0.5));
+    const EnergyBalance b = collide(empty_space(material(1.0, 0.0), law("hertz"), dt), {0.5, 0, 0}, {},
+                                    static_cast<int>(1.2e-4 / dt + 0.5));
     EXPECT_GT(b[Term::elastic], 0.2 * b.start);
     EXPECT_GT(b.kinetic(), 0.05 * b.start);
     off[k] = std::abs(b.closing_error()) / b.start;
@@ -82,7 +83,8 @@ TEST(EnergyLedger, HasInContactsWhatMotionLostToSecondOrderInTheStep) {
 TEST(EnergyLedger, OfADampedCollisionHasTheLossOfTheRestitutionAskedFor) {
   for (const double e : {0.9, 0.5, 0.2})
     for (const char* normal : {"hertz", "hooke"}) {
-      const EnergyBalance b = collide(empty_space(material(e, 0.0), law(normal), 5e-7), {0.5, 0, 0}, {}, 8000);
+      const EnergyBalance b =
+          collide(empty_space(material(e, 0.0), law(normal), 5e-7), {0.5, 0, 0}, {}, 8000);
       EXPECT_NEAR(b[Term::normal_dashpot], (1.0 - e * e) * b.start, 0.002 * b.start) << normal << ' ' << e;
       EXPECT_NEAR(b.lost(), b[Term::normal_dashpot], 1e-9 * b.start);
       EXPECT_LT(std::abs(b.closing_error()), 3e-4 * b.start) << normal << ' ' << e;
@@ -131,8 +133,9 @@ TEST(EnergyLedger, OfAConservativePullLosesNothing) {
 }
 
 TEST(EnergyLedger, SaysWhereALawStatesNoStoredEnergyAndClosesAllTheSame) {
-  for (const auto& [normal, cohesion] : {std::pair{"luding", "none"}, std::pair{"edinburgh", "none"},
-                                         std::pair{"hertz", "sjkr"}, std::pair{"hertz", "capillary_willett"}}) {
+  for (const auto& [normal, cohesion] :
+       {std::pair{"luding", "none"}, std::pair{"edinburgh", "none"}, std::pair{"hertz", "sjkr"},
+        std::pair{"hertz", "capillary_willett"}}) {
     laws::MaterialPair pair = material(0.8, 0.4, 0.01);
     pair.plastic_ratio = 3.0;
     pair.adhesion_ratio = 0.5;
@@ -146,7 +149,8 @@ TEST(EnergyLedger, SaysWhereALawStatesNoStoredEnergyAndClosesAllTheSame) {
     parts.cohesion = cohesion;
     const EnergyBalance b = collide(empty_space(pair, parts, 1e-7), {0.5, 0.2, 0}, {}, 20000);
     EXPECT_FALSE(b.splits_contacts);
-    EXPECT_GT(std::abs(b[Term::unsplit_normal] + b[Term::unsplit_cohesion]), 1e-5 * b.start) << normal << cohesion;
+    EXPECT_GT(std::abs(b[Term::unsplit_normal] + b[Term::unsplit_cohesion]), 1e-5 * b.start)
+        << normal << cohesion;
     EXPECT_LT(std::abs(b.closing_share()), 1e-5) << normal << cohesion;
   }
 }
@@ -159,7 +163,8 @@ TEST(EnergyLedger, OfGrossSlidingHasTheWorkOfCoulombsFriction) {
                                   {0.5 * v_n, 0.5 * v_t, 0}, {}, 8000);
   const double impulse = mu * half_mass * v_n * (1.0 + e);
   const double theory = impulse * (v_t - 0.5 * 3.5 * impulse / half_mass);
-  EXPECT_NEAR(b[Term::sliding] + b[Term::tangential_dashpot] - b[Term::sliding_stiffness], theory, 0.005 * theory);
+  EXPECT_NEAR(b[Term::sliding] + b[Term::tangential_dashpot] - b[Term::sliding_stiffness], theory,
+              0.005 * theory);
   EXPECT_GT(b[Term::sliding], 0.95 * theory);
   EXPECT_LT(std::abs(b.closing_error()), 1e-3 * theory);
 }
@@ -179,7 +184,8 @@ TEST(EnergyLedger, OfObliqueCollisionsClosesForEveryLawOfTangentialForces) {
           const EnergyBalance b =
               collide(empty_space(pair, parts, 2e-7), {0.5, 0.3, 0.1}, {300, 200, -400}, 8000);
           EXPECT_LT(std::abs(b.closing_share()), 1e-5) << which;
-          EXPECT_GT(b[Term::sliding] + b[Term::tangential_dashpot] + b[Term::unsplit_friction], 1e-3 * b.start)
+          EXPECT_GT(b[Term::sliding] + b[Term::tangential_dashpot] + b[Term::unsplit_friction],
+                    1e-3 * b.start)
               << which;
           if (rolling != std::string("none")) {
             EXPECT_GT(b[Term::rolling] + b[Term::rolling_dashpot], 1e-2 * b.start) << which;

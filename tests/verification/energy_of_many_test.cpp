@@ -35,7 +35,8 @@ std::vector<Parcel> tossed(std::uint32_t count, double speed, double spin) {
   std::vector<Parcel> parcels;
   for (std::uint32_t k = 0; k < count; ++k) {
     pulvis::validation::Draw draw(k, 61);
-    const Vec3 at{(0.75 + 1.5 * (k % 6)) * 1e-3, (0.75 + 1.5 * (k / 6 % 6)) * 1e-3, (0.75 + 1.5 * (k / 36)) * 1e-3};
+    const Vec3 at{(0.75 + 1.5 * (k % 6)) * 1e-3, (0.75 + 1.5 * (k / 6 % 6)) * 1e-3,
+                  (0.75 + 1.5 * (k / 36)) * 1e-3};
     parcels.push_back(
         parcel(k, at, draw.between(0.3e-3, 0.6e-3), density, draw.vector(speed), draw.vector(spin)));
   }
@@ -46,6 +47,17 @@ Model box_of_nine(const Stuff& stuff, const LawParts& parts, double dt) {
   Model m = one_material(stuff, parts, {0, 0, 0}, {0.009, 0.009, 0.009}, dt, 0.3e-3, 0.6e-3);
   m.energy_ledger = true;
   return m;
+}
+
+/// Walls on all faces of the box that are not periodic.
+void enclose(Model& m) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (m.domain.periodic[axis]) continue;
+    Vec3 inside{};
+    inside[axis] = 1.0;
+    add_wall(m, plane_surface("low", m.domain.min, inside));
+    add_wall(m, plane_surface("high", m.domain.max, -inside));
+  }
 }
 
 TEST(EnergyLedger, OfATossedGasCloses) {
@@ -66,7 +78,8 @@ TEST(EnergyLedger, OfATossedGasCloses) {
 
 /// A heap that a pack fills, on a floor that shakes up and down, between walls at rest.
 Model shaken_filling(const char* normal, double dt) {
-  Model m = one_material(sticky(), law(normal), {-0.001, -0.001, -0.002}, {0.01, 0.01, 0.03}, dt, 0.5e-3, 0.5e-3);
+  Model m =
+      one_material(sticky(), law(normal), {-0.001, -0.001, -0.002}, {0.01, 0.01, 0.03}, dt, 0.5e-3, 0.5e-3);
   m.energy_ledger = true;
   m.walls.bodies.push_back({"floor", {0}});
   m.walls.bodies.push_back({"sides", {}});
@@ -156,8 +169,9 @@ TEST(EnergyLedger, IsTheSameForThreadsSkinsSavingAndInstructionSets) {
   };
   const EnergyBalance one = run(1, 1.0, false, nullptr);
   EXPECT_GT(one.put_through(), 0.0);
-  for (const EnergyBalance& other : {run(3, 1.0, false, nullptr), run(1, 2.0, false, nullptr), run(2, 0.5, true, nullptr),
-                                     run(1, 1.0, false, "baseline"), run(1, 1.0, false, "avx2")}) {
+  for (const EnergyBalance& other :
+       {run(3, 1.0, false, nullptr), run(1, 2.0, false, nullptr), run(2, 0.5, true, nullptr),
+        run(1, 1.0, false, "baseline"), run(1, 1.0, false, "avx2")}) {
     EXPECT_EQ(other.of, one.of);
     EXPECT_EQ(other.kinetic(), one.kinetic());
     EXPECT_EQ(other.closing_error(), one.closing_error());
@@ -202,7 +216,8 @@ TEST(EnergyLedger, HasWhatEscapesAndWhatGoesWithAWall) {
 TEST(EnergyLedger, OfAFallIsExact) {
   Model m = box_of_nine(sticky(), law("hertz"), 1e-5);
   m.domain.max = {0.1, 0.1, 0.1};
-  Simulation s(m, state_of(m, {parcel(0, {0.05, 0.05, 0.05}, 5e-4, density, {0.1, 0.2, 0.3}, {10, 20, 30})}), 1);
+  Simulation s(m, state_of(m, {parcel(0, {0.05, 0.05, 0.05}, 5e-4, density, {0.1, 0.2, 0.3}, {10, 20, 30})}),
+               1);
   for (int k = 0; k < 4000; ++k) s.step();
   const EnergyBalance b = s.energy().value();
   EXPECT_GT(b.kinetic(), 0.0);
@@ -222,15 +237,7 @@ TEST(EnergyLedger, OfOtherBodyForcesHasTheirWork) {
   rotating.body_force.point = {0.0045, 0.0045, 0.1};
   rotating.body_force.axis = {0, 1, 0};
   for (Model m : {table, periodic, rotating}) {
-    for (Model* model = &m; model; model = nullptr) {
-      add_wall(*model, plane_surface("west", {0, 0, 0}, {1, 0, 0}));
-      add_wall(*model, plane_surface("east", {0.009, 0, 0}, {-1, 0, 0}));
-      add_wall(*model, plane_surface("south", {0, 0, 0}, {0, 1, 0}));
-      add_wall(*model, plane_surface("north", {0, 0.009, 0}, {0, -1, 0}));
-      if (model->domain.periodic[2]) continue;
-      add_wall(*model, plane_surface("floor", {0, 0, 0}, {0, 0, 1}));
-      add_wall(*model, plane_surface("lid", {0, 0, 0.009}, {0, 0, -1}));
-    }
+    enclose(m);
     Simulation s(m, state_of(m, tossed(150, 0.3, 100.0)), 1);
     for (int k = 0; k < 3000; ++k) s.step();
     const EnergyBalance b = s.energy().value();
