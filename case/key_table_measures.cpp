@@ -104,7 +104,7 @@ void append_measures(Keys& keys) {
               .standard = "false",
               .help = "add up where all energy goes: what contacts store, each dissipation, touch and "
                       "separation, walls, "
-                      "insertion; steps take about twice as long"},
+                      "insertion; steps take more than twice as long"},
              {.pattern = "measures.wall_window",
               .kind = quantity,
               .dimension = dimension::time,
