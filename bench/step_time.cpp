@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Time per particle-step and memory on settled beds of growing size: step_time [--threads N] [--jkr]
-// [--energy] [COUNT...] A bed of 10,000 is settled once and laid side by side, so that all sizes are the same bed.
+// [--energy] [--look-every STEPS] [COUNT...] A bed of 10,000 is settled once and laid side by side, so that all sizes are
+// the same bed.
 #include <fmt/format.h>
 #include <sys/resource.h>
 
@@ -34,7 +35,7 @@ double peak_bytes() {
 }
 
 void measure(const State& settled, std::size_t count, const scenes::Stuff& stuff,
-             const scenes::LawParts& parts, bool energy, int threads) {
+             const scenes::LawParts& parts, bool energy, int threads, int look_every) {
   const auto tiles = static_cast<std::uint32_t>(std::lround(std::sqrt(static_cast<double>(count) / tile)));
   Model model = scenes::yardstick_model(stuff, parts, width * std::max(tiles, 1u), 0.3);
   model.energy_ledger = energy;
@@ -44,7 +45,9 @@ void measure(const State& settled, std::size_t count, const scenes::Stuff& stuff
   const int steps = static_cast<int>(std::max<std::size_t>(100, 20'000'000 / parcels));
   const auto rebuilds = simulation.rebuilds();
   const double start = now(threads);
-  for (int k = 0; k < steps; ++k) simulation.step();
+  // A run looks at the state every 16 steps or so.
+  for (int k = 1; k <= steps; ++k)
+    simulation.step(k % look_every == 0 || k == steps ? Simulation::Then::look : Simulation::Then::go_on);
   const double per = (now(threads) - start) / steps / static_cast<double>(parcels);
   std::size_t touching = 0;
   for (const auto t : simulation.pairs().touching) touching += t;
@@ -59,7 +62,7 @@ void measure(const State& settled, std::size_t count, const scenes::Stuff& stuff
 }  // namespace
 
 int main(int argc, char** argv) {
-  int threads = 1;
+  int threads = 1, look_every = 16;
   bool energy = false;  // with the ledger of energy
   scenes::LawParts parts;
   scenes::Stuff stuff;
@@ -69,6 +72,8 @@ int main(int argc, char** argv) {
       threads = std::stoi(argv[++k]);
     else if (!std::strcmp(argv[k], "--energy"))
       energy = true;
+    else if (!std::strcmp(argv[k], "--look-every") && k + 1 < argc)
+      look_every = std::stoi(argv[++k]);
     else if (!std::strcmp(argv[k], "--jkr")) {
       parts.normal = "jkr";
       stuff.work_of_adhesion = 0.1;
@@ -80,6 +85,6 @@ int main(int argc, char** argv) {
   const State settled = scenes::settled_yardstick(stuff, parts, width, tile, settling_steps, threads);
   fmt::print("{:>10} {:>8} {:>10} {:>12} {:>10} {:>10} {:>12} {:>12} {:>12}\n", "parcels", "threads",
              "ns/step", "Mp-steps/s", "contacts", "near", "rebuild/step", "bytes", "peak bytes");
-  for (const std::size_t count : counts) measure(settled, count, stuff, parts, energy, threads);
+  for (const std::size_t count : counts) measure(settled, count, stuff, parts, energy, threads, look_every);
   return 0;
 }

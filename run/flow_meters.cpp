@@ -54,8 +54,12 @@ void FlowMeters::look(const Simulation& simulation) {
   for (measures::FlowMeter& meter : meters_) meter.look(ids, places, masses);
 }
 
+bool FlowMeters::look_at(std::uint64_t step) const {
+  return !meters_.empty() && step % steps_between_looks == 0;
+}
+
 void FlowMeters::after_step(const Simulation& simulation) {
-  if (simulation.state().step % steps_between_looks == 0) look(simulation);
+  if (look_at(simulation.state().step)) look(simulation);
 }
 
 void FlowMeters::begin_phase(const Simulation& simulation) {

@@ -30,6 +30,8 @@ class FlowMeters {
  public:
   FlowMeters(const Case& c, const Simulation& simulation);
 
+  /// Whether the meters look at the end of a step.
+  bool look_at(std::uint64_t step) const;
   void after_step(const Simulation& simulation);
   void begin_phase(const Simulation& simulation);
   /// Since the phase began.

@@ -86,6 +86,19 @@ std::optional<std::uint64_t> Procedure::planned_steps(const Phase& p) const {
   return {};
 }
 
+bool Procedure::may_end_after_next_step() const {
+  const Phase& p = phase();
+  const std::uint64_t next = steps_in_phase() + 1;
+  const double dt = simulation_.model().dt;
+  if (p.time_limit > 0.0 && next >= steps_for(p.time_limit, dt)) return true;
+  if (const auto planned = planned_steps(p)) return next >= *planned;
+  if (static_cast<double>(next) * dt < p.at_least) return false;
+  if (p.until != Phase::Until::inserted) return next % steps_between_questions == 0;
+  return simulation_.a_source_is_due() ||
+         std::all_of(p.sources.begin(), p.sources.end(),
+                     [&](std::size_t s) { return simulation_.state().sources[s].done; });
+}
+
 bool Procedure::criterion_met(const Phase& p) const {
   const std::uint64_t steps = steps_in_phase();
   if (const auto planned = planned_steps(p)) return steps >= *planned;

@@ -20,6 +20,8 @@ class Procedure {
   bool finished() const { return simulation_.state().progress.phase >= case_.phases.size(); }
   const Phase& phase() const { return case_.phases[simulation_.state().progress.phase]; }
   double phase_start() const;  ///< s
+  /// False if the phase will surely not have ended after the next step.
+  bool may_end_after_next_step() const;
 
   /// After a step: why the phase ends now ("time", "inserted", "mass", "cycles", "rest", "time_limit"), or
   /// nothing. Throws Failure(physics) if the phase's limit is an error.

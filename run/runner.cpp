@@ -14,6 +14,8 @@
 namespace pulvis {
 namespace {
 
+constexpr std::uint64_t steps_between_questions = 16;  // whether to stop, to save, to show progress
+
 double hundredth_of_longest_phase(const Case& c) {
   double longest = 0.0;
   for (const Phase& p : c.phases) {
@@ -175,8 +177,16 @@ void Runner::begin() {
   save();
 }
 
-void Runner::step() {
-  simulation_.step();
+/// Whether anything is to be done after the next step but to go on.
+bool Runner::looks_after_next_step() const {
+  const std::uint64_t next = simulation_.state().step + 1;
+  const auto due = [&](std::uint64_t every) { return every != 0 && next % every == 0; };
+  return due(steps_between_questions) || due(log_every_) || due(measure_every_) || due(frame_every_) ||
+         loads_.samples_after_next_step() || flows_.look_at(next) || procedure_.may_end_after_next_step();
+}
+
+void Runner::step(Simulation::Then then) {
+  simulation_.step(then);
   if (loads_.after_step(simulation_)) results_.log_walls(loads_, simulation_, procedure_.phase().name);
   flows_.after_step(simulation_);
   summary().particle_steps += simulation_.state().parcels.size();
@@ -219,12 +229,14 @@ bool Runner::stops(double latest) {
 void Runner::run(double latest) {
   if (summary().resumes == 0) begin();
   while (!procedure_.finished()) {
-    step();
+    const bool looks = looks_after_next_step();
+    step(looks ? Simulation::Then::look : Simulation::Then::go_on);
+    if (!looks) continue;
     const auto ended = procedure_.ended();
     if (ended) simulation_.require_finite();
     book(summary().stepping_time);
     look(ended.has_value(), procedure_.phase().name);
-    if (simulation_.state().step % 16 == 0 || ended) show_progress();
+    show_progress();
     if (ended) end_phase(*ended);
     book(summary().looking_time);
     if (procedure_.finished()) break;

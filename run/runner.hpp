@@ -35,7 +35,8 @@ class Runner {
   /// Steps between looks that are `interval` seconds apart; 0: never.
   std::uint64_t every(double interval) const;
   void begin();
-  void step();
+  bool looks_after_next_step() const;
+  void step(Simulation::Then then);
   void end_phase(const std::string& ended_by);
   void look(bool phase_ends, const std::string& phase);
   std::vector<Measure> all_measures(const std::optional<DieSurvey>& die) const;

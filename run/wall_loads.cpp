@@ -112,9 +112,15 @@ void WallLoads::go_on_from(WallRecord record) {
   now_ = std::move(record);
 }
 
+bool WallLoads::samples_after_next_step() const {
+  const std::uint64_t next = now_.steps_in_window + 1;
+  return next % steps_between_samples == 0 || next == now_.steps_per_window;
+}
+
 bool WallLoads::after_step(const Simulation& simulation) {
-  if (++now_.steps_in_window % steps_between_samples == 0 || now_.steps_in_window == now_.steps_per_window)
-    sample(simulation);
+  const bool samples = samples_after_next_step();
+  ++now_.steps_in_window;
+  if (samples) sample(simulation);
   if (now_.steps_in_window < now_.steps_per_window) return false;
   now_.last = mean_of(now_.current);
   clear(simulation);

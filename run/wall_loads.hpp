@@ -47,6 +47,7 @@ class WallLoads {
 
   /// Begins anew, with the windows of this phase.
   void begin_phase(const Phase& phase, const Simulation& simulation);
+  bool samples_after_next_step() const;
   /// After each step. True if a window has just been completed.
   bool after_step(const Simulation& simulation);
 

@@ -24,4 +24,16 @@ void parallel_shares(std::size_t count, int threads, Body&& body) {
   }
 }
 
+/// Calls body(part) for each part of [0, parts), each by a thread of its own where there are that many. Bodies must not
+/// throw and must write only what belongs to their part.
+template <class Body>
+void parallel_parts(int parts, Body&& body) {
+  if (parts <= 1) {
+    for (int part = 0; part < parts; ++part) body(part);
+    return;
+  }
+#pragma omp parallel for num_threads(parts) schedule(static, 1)
+  for (int part = 0; part < parts; ++part) body(part);
+}
+
 }  // namespace pulvis

@@ -45,7 +45,9 @@ void evaluate_block(ContactBlock& b, std::size_t begin, const ContactClass& cont
   if (near.remembers) b.memory = &near.memory[block];
   std::uint8_t* touching = &near.touching[begin];
   for (int k = 0; k < b.count; ++k) b.touching[k] = touching[k];
-  contact.kernel.gather(b, parcels.body.data(), &near.first[begin], &near.second[begin]);
+  const std::size_t behind = near.slots() - std::min(near.slots(), begin + kernels::block_size);
+  contact.kernel.gather(b, parcels.body.data(), &near.first[begin], &near.second[begin],
+                        static_cast<int>(std::min<std::size_t>(behind, kernels::block_size)));
   contact.kernel.geometry(b, contact.constants.data(), dt);
   if (!contact.kernel.any_in_reach(b, approach)) return;
   contact.kernel.evaluate(b, contact.constants.data(), dt);
@@ -110,24 +112,17 @@ void stage_wall(ContactBlock& b, std::uint32_t slot, const Parcel& p, const Wall
 ContactEvaluator::ContactEvaluator(int most_threads, std::size_t classes, double approach)
     : approach_(approach) {
   scratch_.resize(static_cast<std::size_t>(std::max(most_threads, 1)));
-  for (auto& s : scratch_) s.block.resize(classes);
+  for (auto& s : scratch_) s.block.resize(classes), s.cursors.resize(classes);
 }
 
-void ContactEvaluator::pairs(NearPairs& near, const Parcels& parcels, const ContactClasses& classes,
-                             const NearestImage& nearest, double dt, int threads) {
-  constexpr std::size_t size = kernels::block_size;
-  parallel_shares(near.slots(), threads, [&](std::size_t from, std::size_t to, int thread) {
-    ContactBlock& b = scratch_[static_cast<std::size_t>(thread)].pairs;
-    b.period = nearest.length;
-    // A block belongs to the share it begins in.
-    from = (from + size - 1) / size * size;
-    for (std::size_t c = 0; c < near.class_begin.size(); ++c)
-      for (std::size_t s = std::max(from, near.class_begin[c]); s < std::min(to, near.class_end[c]);
-           s += size) {
-        b.count = static_cast<int>(std::min(size, near.class_end[c] - s));
-        evaluate_block(b, s, classes.all()[c], near, parcels, approach_, dt);
-      }
-  });
+void ContactEvaluator::block(NearPairs& near, const Parcels& parcels, const ContactClass& contact,
+                             std::size_t contact_class, std::size_t begin, const NearestImage& nearest,
+                             double dt, int part) {
+  ContactBlock& b = scratch_[static_cast<std::size_t>(part)].pairs;
+  b.period = nearest.length;
+  b.count =
+      static_cast<int>(std::min<std::size_t>(kernels::block_size, near.class_end[contact_class] - begin));
+  evaluate_block(b, begin, contact, near, parcels, approach_, dt);
 }
 
 /// Looks at every surface near parcel `i` and gives each contact on a shared edge to one of them. A contact
@@ -185,11 +180,12 @@ void ContactEvaluator::walls(NearWalls& near, const Parcels& parcels, const Wall
                              std::span<const Pose> poses, const ContactClasses& classes, double dt,
                              int threads, std::vector<Crossing>& crossings) {
   for (auto& s : scratch_) s.crossings.clear();
-  parallel_shares(parcels.size(), threads, [&](std::size_t from, std::size_t to, int thread) {
+  parallel_shares(near.slots(), threads, [&](std::size_t from, std::size_t to, int thread) {
     auto& scratch = scratch_[static_cast<std::size_t>(thread)];
-    for (auto i = static_cast<std::uint32_t>(from); i < to; ++i) {
-      const std::uint32_t begin = near.begin[i], end = near.begin[i + 1];
-      if (begin == end) continue;
+    for (std::size_t here = near.first_of_parcel(from), end = 0; here < near.first_of_parcel(to);
+         here = end) {
+      const std::uint32_t i = near.parcel[here], begin = near.begin[i];
+      end = near.begin[i + 1];
       const Parcel& p = parcels.body[i];
       settle_edges(near, i, p, walls, poses, scratch);
       for (std::uint32_t slot = begin; slot < end; ++slot) {

@@ -24,8 +24,12 @@ class ContactEvaluator {
   /// `approach` is the widest gap at which a contact can begin, m.
   ContactEvaluator(int most_threads, std::size_t classes, double approach);
 
-  void pairs(NearPairs& near, const Parcels& parcels, const ContactClasses& classes,
-             const NearestImage& nearest, double dt, int threads);
+  /// The block of near pairs that begins with slot `begin`. Parts of the work that go on at once have each their own
+  /// number `part`.
+  void block(NearPairs& near, const Parcels& parcels, const ContactClass& contact, std::size_t contact_class,
+             std::size_t begin, const NearestImage& nearest, double dt, int part);
+  /// How far a part of the work is in the slots of each class: for whoever leads it.
+  std::vector<std::size_t>& cursors(int part) { return scratch_[static_cast<std::size_t>(part)].cursors; }
   /// Fills `crossings`, ascending in the parcel's index.
   void walls(NearWalls& near, const Parcels& parcels, const Walls& walls, std::span<const Pose> poses,
              const ContactClasses& classes, double dt, int threads, std::vector<Crossing>& crossings);
@@ -34,6 +38,7 @@ class ContactEvaluator {
   struct Scratch {
     kernels::ContactBlock pairs;
     std::vector<kernels::SeparateBlock> block;  ///< of walls, one per contact class
+    std::vector<std::size_t> cursors;
     std::vector<Crossing> crossings;
     std::vector<WallSight> sights;     ///< of one parcel, per slot
     std::vector<std::uint32_t> owner;  ///< of one parcel, per slot: see settle_edges

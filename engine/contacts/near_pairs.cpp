@@ -21,6 +21,26 @@ void NearPairs::rebuild(const Parcels& parcels, const ContactClasses& classes, s
                         double reach, const Box& box, int threads) {
   search(parcels, margin, reach, box, threads);
   assign_slots(parcels, classes, threads);
+  divide(threads);
+}
+
+void NearPairs::divide(int threads) {
+  constexpr std::size_t too_few = 256;  // waking a thread costs more than this many parcels
+  const std::size_t count = begin.size() - 1;
+  shares_ = count < too_few ? 1 : std::max(threads, 1);
+  divided_.assign(shares_ > 1 ? count : 0, 0);
+  if (shares_ == 1) return;
+  parallel_parts(shares_, [&](int part) {
+    const auto [from, to] = share(part);
+    const auto of_other = [&, from = from, to = to](std::uint32_t slot) {
+      const std::size_t start = slot / kernels::block_size * kernels::block_size;
+      const std::uint32_t owner = std::min(first[start], second[start]);
+      return owner < from || owner >= to;
+    };
+    for (std::size_t i = from; i < to; ++i)
+      for (std::uint32_t k = begin[i]; k < begin[i + 1] && !divided_[i]; ++k)
+        divided_[i] = of_other(entry[k] >> 1);
+  });
 }
 
 laws::History NearPairs::history(std::size_t slot) const {
@@ -100,12 +120,12 @@ void NearPairs::search(const Parcels& parcels, std::span<const double> margin, d
 /// store's order. Returns their number.
 std::size_t NearPairs::count_slots(const Parcels& parcels, const ContactClasses& classes, int threads) {
   const std::size_t count = parcels.size(), class_count = classes.all().size();
-  own_begin_.assign(class_count * count, 0);
+  own_end_.assign(class_count * count, 0);
   parallel_shares(count, threads, [&](std::size_t from, std::size_t to, int) {
     for (std::size_t i = from; i < to; ++i)
       for (std::uint32_t k = begin[i]; k < begin[i + 1]; ++k)
         if (const std::uint32_t j = partner_[k]; j > i)
-          ++own_begin_[classes.index(parcels.body[i].species, parcels.body[j].species) * count + i];
+          ++own_end_[classes.index(parcels.body[i].species, parcels.body[j].species) * count + i];
   });
   std::size_t total = 0;
   class_begin.assign(class_count, 0);
@@ -115,8 +135,8 @@ std::size_t NearPairs::count_slots(const Parcels& parcels, const ContactClasses&
     total = (total + block - 1) / block * block;
     class_begin[c] = total;
     for (std::size_t i = c * count; i < (c + 1) * count; ++i) {
-      const std::uint32_t own = own_begin_[i];
-      own_begin_[i] = static_cast<std::uint32_t>(total);
+      const std::uint32_t own = own_end_[i];
+      own_end_[i] = static_cast<std::uint32_t>(total);
       total += own;
     }
     class_end[c] = total;
@@ -142,7 +162,7 @@ void NearPairs::assign_slots(const Parcels& parcels, const ContactClasses& class
         const std::uint32_t j = partner_[k];
         if (j < i) continue;
         const Parcel &p = parcels.body[i], &q = parcels.body[j];
-        const std::uint32_t slot = own_begin_[classes.index(p.species, q.species) * count + i]++;
+        const std::uint32_t slot = own_end_[classes.index(p.species, q.species) * count + i]++;
         const bool is_second = p.id > q.id;
         first[slot] = is_second ? j : static_cast<std::uint32_t>(i);
         second[slot] = is_second ? static_cast<std::uint32_t>(i) : j;

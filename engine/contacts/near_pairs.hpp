@@ -2,6 +2,7 @@
 #pragma once
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "engine/contacts/cell_grid.hpp"
@@ -40,6 +41,28 @@ class NearPairs {
   void take_over_loads(const NearPairs& old, std::span<const std::uint32_t> old_index);
 
   std::size_t slots() const { return first.size(); }
+
+  /// End of the slots of a class that belong to the parcels up to `parcel` in the order of the store. A slot belongs to
+  /// that of its two parcels which stands first.
+  std::size_t slot_end(std::size_t contact_class, std::size_t parcel) const {
+    return own_end_[contact_class * (begin.size() - 1) + parcel];
+  }
+  /// The first block that begins with a slot of `parcel` or of one behind it.
+  std::size_t first_block(std::size_t contact_class, std::size_t parcel) const {
+    constexpr std::size_t block = kernels::block_size;
+    const std::size_t slot = parcel == 0 ? class_begin[contact_class] : slot_end(contact_class, parcel - 1);
+    return (slot + block - 1) / block * block;
+  }
+
+  // Shares of the parcels that threads work on, each with the blocks that begin with a slot of its parcels.
+  int shares() const { return shares_; }
+  std::pair<std::size_t, std::size_t> share(int part) const {
+    const std::size_t count = begin.size() - 1, k = static_cast<std::size_t>(part),
+                      n = static_cast<std::size_t>(shares_);
+    return {count * k / n, count * (k + 1) / n};
+  }
+  /// Whether a slot of the parcel lies in a block of another share.
+  bool divided(std::size_t parcel) const { return shares_ > 1 && divided_[parcel]; }
   laws::History history(std::size_t slot) const;
   void set_history(std::size_t slot, const laws::History& history);
 
@@ -66,11 +89,14 @@ class NearPairs {
               int threads);
   void assign_slots(const Parcels& parcels, const ContactClasses& classes, int threads);
   std::size_t count_slots(const Parcels& parcels, const ContactClasses& classes, int threads);
+  void divide(int threads);
   laws::Memory memory_of(std::size_t slot) const;
   void set_memory(std::size_t slot, const laws::Memory& memory);
 
   CellGrid grid_;
-  std::vector<std::uint32_t> partner_, own_begin_;  ///< own_begin_: [class * parcels + parcel]
+  std::vector<std::uint32_t> partner_, own_end_;  ///< own_end_: [class * parcels + parcel]
+  int shares_ = 1;
+  std::vector<std::uint8_t> divided_;
 };
 
 }  // namespace pulvis

@@ -27,6 +27,11 @@ class NearWalls {
   void take_over_loads(const NearWalls& old, std::span<const std::uint32_t> old_index);
 
   std::size_t slots() const { return parcel.size(); }
+  /// The first slot of the parcel that slot `slot` belongs to; slots() beyond the last: so shares of slots become
+  /// shares of parcels.
+  std::size_t first_of_parcel(std::size_t slot) const {
+    return slot < slots() ? begin[parcel[slot]] : slots();
+  }
   /// Triangles of the slot's patch that can come into question, ascending; none for a shape.
   std::span<const std::uint32_t> facets(std::size_t slot) const {
     return {facet_.data() + facet_begin_[slot], facet_.data() + facet_begin_[slot + 1]};

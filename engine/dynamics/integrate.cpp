@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "engine/dynamics/integrate.hpp"
 
+#include <algorithm>
 #include <vector>
 
 #include "engine/base/parallel.hpp"
@@ -10,13 +11,13 @@ namespace pulvis {
 namespace {
 
 /// Half a step of the velocities under the present load.
-inline void kick(Parcel& p, const Load& load, double half_dt) {
+PULVIS_INLINE void kick(Parcel& p, const Load& load, double half_dt) {
   p.velocity += (half_dt / p.mass) * load.force;
   p.spin += (half_dt / inertia(p)) * load.torque;
 }
 
 /// Half a step that begins with the velocities seen from a rotating frame.
-inline void kick_rotating_first(Parcel& p, const Load& load, const ForceField& field, double half_dt) {
+PULVIS_INLINE void kick_rotating_first(Parcel& p, const Load& load, const ForceField& field, double half_dt) {
   const Vec3 by_frame =
       -2.0 * cross(field.spin, p.velocity) - cross(field.spin_rate, p.position - field.point);
   const Vec3 turning = -cross(field.spin, p.spin) - field.spin_rate;
@@ -26,12 +27,12 @@ inline void kick_rotating_first(Parcel& p, const Load& load, const ForceField& f
 }
 
 /// The x of x + w x x = b (with the cross product of w).
-inline Vec3 solve_turning(const Vec3& w, const Vec3& b) {
+PULVIS_INLINE Vec3 solve_turning(const Vec3& w, const Vec3& b) {
   return (b - cross(w, b) + dot(w, b) * w) / (1.0 + dot(w, w));
 }
 
 /// Half a step that ends with them.
-inline void kick_rotating_last(Parcel& p, const Load& load, const ForceField& field, double half_dt) {
+PULVIS_INLINE void kick_rotating_last(Parcel& p, const Load& load, const ForceField& field, double half_dt) {
   kick(p, load, half_dt);
   const Vec3 euler = -cross(field.spin_rate, p.position - field.point);
   p.velocity = solve_turning((2.0 * half_dt) * field.spin, p.velocity + half_dt * euler);
@@ -40,7 +41,7 @@ inline void kick_rotating_last(Parcel& p, const Load& load, const ForceField& fi
 
 /// Loads of all near pairs of parcel `i`, in the order of the partners' ids. Pairs that do not touch add zeros, which
 /// change no bit of a sum that began with +0. Three numbers are taken as four, whose last nobody asks for.
-inline Load sum_of_pairs(const NearPairs& pairs, std::size_t i) {
+PULVIS_INLINE Load sum_of_pairs(const NearPairs& pairs, std::size_t i) {
   static_assert(sizeof(PairLoad) == 9 * sizeof(double));
   constexpr double sign[2] = {1.0, -1.0};
   Four force{}, torque{};
@@ -54,7 +55,7 @@ inline Load sum_of_pairs(const NearPairs& pairs, std::size_t i) {
 }
 
 /// Moves a coordinate that left a periodic axis back by one length, and its reference with it; true if it did.
-inline bool wrap(double& x, double& reference, double low, double high) {
+PULVIS_INLINE bool wrap(double& x, double& reference, double low, double high) {
   const double length = x >= high ? high - low : x < low ? low - high : 0.0;
   if (length == 0.0) return false;
   x -= length;
@@ -63,40 +64,46 @@ inline bool wrap(double& x, double& reference, double low, double high) {
 }
 
 /// False also where a coordinate is not a number.
-inline bool inside(const Vec3& x, const Box& box) {
+PULVIS_INLINE bool inside(const Vec3& x, const Box& box) {
   return x.x >= box.min.x && x.x <= box.max.x && x.y >= box.min.y && x.y <= box.max.y && x.z >= box.min.z &&
          x.z <= box.max.z;
 }
 
-}  // namespace
+/// The first half of a step for one parcel, `load` being what acts on it at the beginning.
+PULVIS_INLINE void begin_one(Parcel& p, const Load& load, const StepBeginning& b, Vec3& reference,
+                             double margin, StepNotice& notice) {
+  if (b.field.rotating)
+    kick_rotating_first(p, load, b.field, 0.5 * b.dt);
+  else
+    kick(p, load, 0.5 * b.dt);
+  const Vec3 move = b.dt * p.velocity;
+  p.position += move;
+  if (b.any_periodic)
+    for (int axis = 0; axis < 3; ++axis)
+      if (b.box.periodic[axis])
+        notice.wrapped |= wrap(p.position[axis], reference[axis], b.box.min[axis], b.box.max[axis]);
+  const Vec3 since = p.position - reference - b.drift;
+  notice.outside |= !inside(p.position, b.box) || !(dot(p.spin, p.spin) < 1e300);
+  notice.too_fast |= dot(move, move) > 0.25 * (p.radius * p.radius);
+  notice.stale |= dot(since, since) > margin * margin;
+}
 
-StepNotice begin_step(Parcels& parcels, const Box& box, const ForceField& field, double dt,
-                      std::span<Vec3> reference, std::span<const double> margin, int threads) {
-  const bool any_periodic = box.periodic[0] || box.periodic[1] || box.periodic[2];
-  std::vector<StepNotice> notice(static_cast<std::size_t>(threads < 1 ? 1 : threads));
-  parallel_shares(parcels.size(), threads, [&](std::size_t from, std::size_t to, int thread) {
-    StepNotice mine;
-    for (std::size_t i = from; i < to; ++i) {
-      Parcel& p = parcels.body[i];
-      if (field.rotating)
-        kick_rotating_first(p, parcels.load[i], field, 0.5 * dt);
-      else
-        kick(p, parcels.load[i], 0.5 * dt);
-      const Vec3 move = dt * p.velocity;
-      p.position += move;
-      if (any_periodic)
-        for (int axis = 0; axis < 3; ++axis)
-          if (box.periodic[axis])
-            mine.wrapped |= wrap(p.position[axis], reference[i][axis], box.min[axis], box.max[axis]);
-      const Vec3 since = p.position - reference[i];
-      mine.outside |= !inside(p.position, box) || !(dot(p.spin, p.spin) < 1e300);
-      mine.too_fast |= dot(move, move) > 0.25 * (p.radius * p.radius);
-      mine.stale |= dot(since, since) > margin[i] * margin[i];
-    }
-    notice[static_cast<std::size_t>(thread)] = mine;
-  });
+/// What acts on parcel `i` at the end of a step: pairs by the partner's id, walls by surface, body forces.
+PULVIS_INLINE Load sum_of_all(const Parcel& p, std::size_t i, const NearPairs& pairs, const NearWalls& walls,
+                              const ForceField& field) {
+  Load sum = sum_of_pairs(pairs, i);
+  for (std::uint32_t slot = walls.begin[i]; slot < walls.begin[i + 1]; ++slot) {
+    if (!walls.touching[slot]) continue;
+    sum.force += walls.load[slot].force;
+    sum.torque += walls.load[slot].torque;
+  }
+  sum.force += p.mass * field.at(p.position);
+  return sum;
+}
+
+StepNotice all_of(const std::vector<StepNotice>& notices) {
   StepNotice all;
-  for (const auto& n : notice) {
+  for (const auto& n : notices) {
     all.outside |= n.outside;
     all.too_fast |= n.too_fast;
     all.stale |= n.stale;
@@ -105,25 +112,89 @@ StepNotice begin_step(Parcels& parcels, const Box& box, const ForceField& field,
   return all;
 }
 
-void end_step(Parcels& parcels, const NearPairs& pairs, const NearWalls& walls, const ForceField& field,
-              double dt, int threads) {
-  parallel_shares(parcels.size(), threads, [&](std::size_t from, std::size_t to, int) {
-    for (std::size_t i = from; i < to; ++i) {
-      Parcel& p = parcels.body[i];
-      Load sum = sum_of_pairs(pairs, i);
-      for (std::uint32_t slot = walls.begin[i]; slot < walls.begin[i + 1]; ++slot) {
-        if (!walls.touching[slot]) continue;
-        sum.force += walls.load[slot].force;
-        sum.torque += walls.load[slot].torque;
-      }
-      sum.force += p.mass * field.at(p.position);
-      parcels.load[i] = sum;
-      if (field.rotating)
-        kick_rotating_last(p, sum, field, 0.5 * dt);
-      else
-        kick(p, sum, 0.5 * dt);
+/// One share of a sweep.
+class ShareOfSweep {
+ public:
+  ShareOfSweep(SweptThings& things, const SweepFields& fields, const StepBeginning* next, int part)
+      : t_(things), fields_(fields), next_(next), part_(part) {}
+
+  /// Evaluates blocks and finishes parcels in turn. A parcel is done with once the slots of all that stand before it
+  /// in the store, and its own, are evaluated: nobody asks for its place or velocity after that.
+  void run() {
+    const auto [from, to] = t_.pairs.share(part_);
+    constexpr std::size_t parcels_at_once = 2048;  // their loads are still in the second cache
+    std::vector<std::size_t>& at = t_.evaluator.cursors(part_);
+    for (std::size_t c = 0; c < at.size(); ++c) at[c] = t_.pairs.first_block(c, from);
+    for (std::size_t begin = from; begin < to; begin += parcels_at_once) {
+      const std::size_t end = std::min(to, begin + parcels_at_once);
+      for (std::size_t c = 0; c < at.size(); ++c)
+        for (; at[c] < t_.pairs.slot_end(c, end - 1); at[c] += kernels::block_size)
+          t_.evaluator.block(t_.pairs, t_.parcels, t_.classes.all()[c], c, at[c], t_.nearest, fields_.dt,
+                             part_);
+      for (std::size_t i = begin; i < end; ++i)
+        if (!t_.pairs.divided(i)) finish(i);
     }
+  }
+
+  /// Parcels with contacts in other shares, once all of those are evaluated.
+  void finish_divided() {
+    const auto [from, to] = t_.pairs.share(part_);
+    for (std::size_t i = from; i < to; ++i)
+      if (t_.pairs.divided(i)) finish(i);
+  }
+
+  StepNotice notice;
+
+ private:
+  void finish(std::size_t i) {
+    Parcel& p = t_.parcels.body[i];
+    const Load sum = sum_of_all(p, i, t_.pairs, t_.walls, fields_.end);
+    if (fields_.end.rotating)
+      kick_rotating_last(p, sum, fields_.end, 0.5 * fields_.dt);
+    else
+      kick(p, sum, 0.5 * fields_.dt);
+    if (next_)
+      begin_one(p, sum, *next_, t_.reference[i], t_.margin[i], notice);
+    else
+      t_.parcels.load[i] = sum;
+  }
+
+  SweptThings& t_;
+  const SweepFields& fields_;
+  const StepBeginning* next_;
+  int part_;
+};
+
+}  // namespace
+
+StepNotice begin_step(Parcels& parcels, const StepBeginning& beginning, std::span<Vec3> reference,
+                      std::span<const double> margin, int threads) {
+  std::vector<StepNotice> notices(static_cast<std::size_t>(threads < 1 ? 1 : threads));
+  parallel_shares(parcels.size(), threads, [&](std::size_t from, std::size_t to, int thread) {
+    StepNotice mine;
+    for (std::size_t i = from; i < to; ++i)
+      begin_one(parcels.body[i], parcels.load[i], beginning, reference[i], margin[i], mine);
+    notices[static_cast<std::size_t>(thread)] = mine;
   });
+  return all_of(notices);
+}
+
+StepNotice sweep(SweptThings things, const SweepFields& fields, const StepBeginning* next) {
+  const int shares = things.pairs.shares();
+  std::vector<StepNotice> notices(static_cast<std::size_t>(shares));
+  parallel_parts(shares, [&](int part) {
+    ShareOfSweep share(things, fields, next, part);
+    share.run();
+    notices[static_cast<std::size_t>(part)] = share.notice;
+  });
+  if (shares == 1) return notices[0];
+  parallel_parts(shares, [&](int part) {
+    ShareOfSweep share(things, fields, next, part);
+    share.notice = notices[static_cast<std::size_t>(part)];
+    share.finish_divided();
+    notices[static_cast<std::size_t>(part)] = share.notice;
+  });
+  return all_of(notices);
 }
 
 }  // namespace pulvis

@@ -116,4 +116,9 @@ std::vector<Parcel> draw_parcels(const SourceModel& model, SourceState& state, s
   return draw_rain(model, state, dice, step, dt, around);
 }
 
+bool is_due(const SourceModel& model, const SourceState& state, std::uint64_t step, double dt) {
+  if (!state.open || state.done) return false;
+  return model.kind != SourceModel::Kind::rain || (step - state.opened) % rain_interval(model, dt) == 0;
+}
+
 }  // namespace pulvis

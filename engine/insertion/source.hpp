@@ -66,4 +66,7 @@ std::vector<Parcel> draw_parcels(const SourceModel& model, SourceState& state, s
 /// Steps between two looks at a rain.
 std::uint64_t rain_interval(const SourceModel& model, double dt);
 
+/// Whether a source may give parcels at a step.
+bool is_due(const SourceModel& model, const SourceState& state, std::uint64_t step, double dt);
+
 }  // namespace pulvis

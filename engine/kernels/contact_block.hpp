@@ -89,9 +89,10 @@ class ContactKernel {
  public:
   using Stage = void (*)(ContactBlock& block, const double* pair_constants, double dt);
 
-  /// Fills a block with the parcels `first[k]`, `second[k]`, k < count.
+  /// Fills a block with the parcels `first[k]`, `second[k]`, k < count, and asks memory for those of the `ahead` slots
+  /// behind the block.
   using Gather = void (*)(ContactBlock& block, const Parcel* parcels, const std::uint32_t* first,
-                          const std::uint32_t* second);
+                          const std::uint32_t* second, int ahead);
   /// Whether any contact of the block exists or is nearer than `approach` (m).
   using Look = bool (*)(const ContactBlock& block, double approach);
   /// Brings the results to each contact's own place.

@@ -51,9 +51,21 @@ static_assert(offsetof(Parcel, radius) == 3 * sizeof(double) &&
               offsetof(Parcel, velocity) == 4 * sizeof(double) &&
               offsetof(Parcel, mass) == 7 * sizeof(double) && offsetof(Parcel, spin) == 8 * sizeof(double));
 
+/// Asks for the records that the block after this one will need: they lie all over the store, and the processor cannot
+/// see so far ahead by itself.
+PULVIS_INLINE void ask_for(const Parcel& parcel) {
+  const char* at = reinterpret_cast<const char*>(&parcel);
+  __builtin_prefetch(at);
+  __builtin_prefetch(at + 64);
+}
+
 static void gather(ContactBlock& b, const Parcel* parcels, const std::uint32_t* first,
-                   const std::uint32_t* second) {
+                   const std::uint32_t* second, int ahead) {
   const int count = b.count;
+  for (int k = block_size; k < block_size + ahead; ++k) {
+    ask_for(parcels[first[k]]);
+    ask_for(parcels[second[k]]);
+  }
   for (int k = 0; k < count; k += 4) {
     const double *p[4], *q[4];
     for (int j = 0; j < 4; ++j) {

@@ -46,7 +46,6 @@ Simulation::Simulation(Model model, State state, int threads)
   find_body_corners();
   has_bounded_walls_ = std::any_of(model_.walls.surfaces.begin(), model_.walls.surfaces.end(),
                                    [](const Surface& s) { return s.kind != Surface::Kind::plane; });
-  for (const motions::Motion& motion : model_.motions) motion_peaks_.push_back(motions::peaks(motion));
   for (std::size_t b = 0; b < poses_.size(); ++b) {
     const Rigid at = placement(b, state_.step);
     poses_[b] = Pose::of_step(at, at, model_.dt);
@@ -69,23 +68,31 @@ int Simulation::threads() const {
   return static_cast<int>(std::min<std::size_t>(static_cast<std::size_t>(most_threads_), worth));
 }
 
-void Simulation::step() {
-  insert_due_parcels();
-  const StepNotice notice = begin_step(state_.parcels, model_.domain, field_towards(0.5), model_.dt,
-                                       reference_, margin_, threads());
+void Simulation::step(Then then) {
+  if (!ahead_) {
+    insert_due_parcels();
+    notice_ = begin_step(state_.parcels, beginning(), reference_, margin_, threads());
+    drift_ += model_.dt * drift_velocity_;
+  }
+  ahead_ = false;
+  const std::size_t escaped_before = state_.escapes.size();
   move_bodies_to(state_.step + 1);
-  if (notice.outside || notice.too_fast) take_out_escaped(notice);
+  if (notice_.outside || notice_.too_fast) take_out_escaped(notice_);
   // Walls have no periodic images: what wrapped must look anew for those at the other end.
-  walls_may_be_left_ = notice.wrapped && has_bounded_walls_;
-  if (notice.stale || walls_may_be_left_ || a_body_left_its_margin()) rebuild();
+  walls_may_be_left_ = notice_.wrapped && has_bounded_walls_;
+  if (notice_.stale || walls_may_be_left_ || a_body_left_its_margin()) rebuild();
   walls_may_be_left_ = false;
   if (energy_) energy_->before_contacts(pairs_, walls_);
-  evaluator_.pairs(pairs_, state_.parcels, model_.classes, nearest_, model_.dt, threads());
   evaluator_.walls(walls_, state_.parcels, model_.walls, poses_, model_.classes, model_.dt, threads(),
                    crossings_);
   ++state_.step;
+  const StepBeginning next = beginning();
+  ahead_ = !energy_ && then == Then::go_on && crossings_.empty() && state_.escapes.size() == escaped_before &&
+           !a_source_is_due();
   if (energy_) energy_->before_kick(state_.parcels);
-  end_step(state_.parcels, pairs_, walls_, field_towards(-0.5), model_.dt, threads());
+  notice_ = sweep({state_.parcels, pairs_, walls_, evaluator_, model_.classes, nearest_, reference_, margin_},
+                  {field_towards(-0.5), model_.dt}, ahead_ ? &next : nullptr);
+  if (ahead_) drift_ += model_.dt * drift_velocity_;
   if (energy_) account_energy();
   if (!crossings_.empty()) take_out_crossed();
 }
@@ -131,11 +138,17 @@ void Simulation::open_source(std::size_t source) {
 
 void Simulation::close_source(std::size_t source) { state_.sources[source].open = false; }
 
+bool Simulation::a_source_is_due() const {
+  for (std::size_t k = 0; k < model_.sources.size(); ++k)
+    if (is_due(model_.sources[k], state_.sources[k], state_.step, model_.dt)) return true;
+  return false;
+}
+
 void Simulation::insert_due_parcels() {
   const std::size_t before = state_.parcels.size();
   for (std::size_t k = 0; k < model_.sources.size(); ++k) {
     SourceState& source = state_.sources[k];
-    if (!source.open || source.done) continue;
+    if (!is_due(model_.sources[k], source, state_.step, model_.dt)) continue;
     // Each source sees what the ones before it gave in this step.
     for (Parcel& p : draw_parcels(
              model_.sources[k], source, model_.seed, static_cast<std::uint32_t>(k), state_.step, model_.dt,
@@ -337,32 +350,47 @@ void Simulation::remove(std::vector<std::uint32_t>& indices, Velocities velociti
 
 // --- near lists ------------------------------------------------------------------------------------------
 
+/// The velocity most of the powder has, by each component: the bed in a shaken die moves as one, and what all do
+/// together brings nobody nearer to another.
+Vec3 Simulation::common_velocity() const {
+  constexpr std::size_t enough = 255;
+  const std::size_t count = state_.parcels.size(), stride = 1 + count / enough;
+  Vec3 common;
+  std::vector<double> sample;
+  for (int axis = 0; axis < 3; ++axis) {
+    sample.clear();
+    for (std::size_t i = 0; i < count; i += stride) sample.push_back(state_.parcels.body[i].velocity[axis]);
+    if (sample.empty()) continue;
+    const auto middle = sample.begin() + static_cast<std::ptrdiff_t>(sample.size() / 2);
+    std::nth_element(sample.begin(), middle, sample.end());
+    common[axis] = *middle;
+  }
+  return common;
+}
+
 void Simulation::choose_margins() {
   // Fast parcels get wide margins and slow ones narrow ones: in a filling die the dense bed is slow and the
   // fast rain is dilute, so lists stay short where there are many parcels.
   // No margin is less than the way of the next step (up to 0.5 radius): contacts must end by their law only.
   const double least = 0.03 * model_.skin, most = greatest(0.6 * model_.skin, 0.5);
+  drift_ = {};
+  drift_velocity_ = common_velocity();
   margin_.resize(state_.parcels.size());
   for (std::size_t i = 0; i < margin_.size(); ++i) {
     const Parcel& p = state_.parcels.body[i];
-    const double wish = norm(p.velocity) * model_.dt * steps_between_rebuilds / p.radius;
+    const double wish = norm(p.velocity - drift_velocity_) * model_.dt * steps_between_rebuilds / p.radius;
     margin_[i] = p.radius * std::clamp(1.2 * wish + least, least, most);
   }
   body_margin_.resize(poses_.size());
   for (std::size_t b = 0; b < poses_.size(); ++b)
-    body_margin_[b] = least * model_.smallest_radius + speed_bound(b) * model_.dt * steps_between_rebuilds;
+    body_margin_[b] =
+        least * model_.smallest_radius + 1.2 * speed_against_drift(b) * model_.dt * steps_between_rebuilds;
 }
 
-double Simulation::speed_bound(std::size_t body) const {
+double Simulation::speed_against_drift(std::size_t body) const {
   double speed = 0.0;
-  for (const std::size_t motion : model_.walls.bodies[body].motions) {
-    if (!state_.motions[motion].running) continue;
-    const motions::Peaks& peaks = motion_peaks_[motion];
-    double farthest = 0.0;
-    for (const Vec3& corner : body_corners_[body])
-      farthest = greatest(farthest, norm(poses_[body].now(corner) - peaks.point));
-    speed += peaks.speed + peaks.rate * farthest;
-  }
+  for (const Vec3& corner : body_corners_[body])
+    speed = greatest(speed, norm(poses_[body].velocity(corner, model_.dt) - drift_velocity_));
   return speed;
 }
 
@@ -389,7 +417,7 @@ bool Simulation::a_body_left_its_margin() const {
   // A displacement is linear in the point, so its largest size lies at a corner.
   for (std::size_t b = 0; b < poses_.size(); ++b)
     for (const Vec3& corner : body_corners_[b])
-      if (norm(poses_[b].now(corner) - body_reference_[b](corner)) > body_margin_[b]) return true;
+      if (norm(poses_[b].now(corner) - body_reference_[b](corner) - drift_) > body_margin_[b]) return true;
   return false;
 }
 
@@ -465,7 +493,12 @@ void Simulation::sort_wall_slots() {
   });
 }
 
+void Simulation::require_whole_step() const {
+  if (ahead_) throw Failure(Exit::internal_check, "a state was asked for in the middle of a step");
+}
+
 State Simulation::snapshot() const {
+  require_whole_step();
   State copy = state_;
   copy.pairs = pairs_.pack(state_.parcels, threads());
   copy.walls = walls_.pack();
@@ -473,6 +506,7 @@ State Simulation::snapshot() const {
 }
 
 std::string Simulation::hash() const {
+  require_whole_step();
   return state_hash(state_.parcels, pairs_.pack(state_.parcels, threads()), walls_.pack());
 }
 

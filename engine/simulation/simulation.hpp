@@ -18,6 +18,12 @@ namespace pulvis {
 /// depend on the number of threads, the instruction set, the skin, or on having been saved and loaded.
 class Simulation {
  public:
+  /// What comes after a step.
+  enum class Then {
+    look,   ///< anything
+    go_on,  ///< the next step, before anybody looks at parcels or loads
+  };
+
   Simulation(Model model, State state, int threads);
 
   /// Fresh state for a model: no parcels, all at rest.
@@ -25,7 +31,11 @@ class Simulation {
 
   /// One time step. Throws Failure(physics) where it cannot go on: a number that is not one, or a parcel
   /// that moved more than half its radius. Parcels that escape are taken out, counted, and in `escapes`.
-  void step();
+  /// With Then::go_on parcels may have gone on with the next step already, which is faster: until that is made, ask for
+  /// nothing but step, time, escapes and the number of parcels. A step in which parcels escape is always whole.
+  void step(Then then = Then::look);
+  /// Whether a source may give parcels in the next step.
+  bool a_source_is_due() const;
 
   void open_source(std::size_t source);
   void close_source(std::size_t source);
@@ -73,11 +83,16 @@ class Simulation {
   ForceField field_towards(double steps) const {
     return model_.body_force.at(time(), time() + steps * model_.dt);
   }
+  StepBeginning beginning() const {
+    return {model_.domain, field_towards(0.5), model_.dt, drift_ + model_.dt * drift_velocity_};
+  }
+  void require_whole_step() const;
   void insert_due_parcels();
   bool clear_of_walls(const Vec3& centre, double radius) const;
   void move_bodies_to(std::uint64_t step);
   Rigid placement(std::size_t body, std::uint64_t step) const;
-  double speed_bound(std::size_t body) const;
+  Vec3 common_velocity() const;
+  double speed_against_drift(std::size_t body) const;
   void find_body_corners();
   TouchingList without_body(const TouchingList& list, std::size_t body) const;
   void require_nothing_inside(std::size_t body) const;
@@ -111,17 +126,20 @@ class Simulation {
   NearWalls walls_;
   ContactEvaluator evaluator_;
   std::optional<EnergyLedger> energy_;
-  std::vector<Pose> next_poses_;                   ///< of the step that comes; only for the ledger of energy
+  std::vector<Pose> next_poses_;  ///< of the step that comes; only for the ledger of energy
+  Vec3 drift_velocity_,
+      drift_;  ///< m/s that most parcels had at the last rebuild, and m they made since by it
   std::vector<Vec3> reference_;                    ///< positions at the last rebuild
   std::vector<Rigid> body_reference_;              ///< placements at the last rebuild
   std::vector<std::array<Vec3, 8>> body_corners_;  ///< of a box around what parcels can touch, its own frame
   std::vector<std::uint32_t> wall_slots_by_id_;
-  std::vector<motions::Peaks> motion_peaks_;
   bool has_bounded_walls_ = false;
   bool walls_may_be_left_ = false;   ///< contacts with walls may end without their law in this rebuild
   std::vector<double> margin_;       ///< m per parcel
   std::vector<double> body_margin_;  ///< m per body
   std::vector<Crossing> crossings_;
+  StepNotice notice_;   ///< of the first half of a step
+  bool ahead_ = false;  ///< the first half of the next step is made
   std::uint64_t rebuilds_ = 0;
 };
 

@@ -56,6 +56,45 @@ TEST(StateHash, IsTheSameForTwoAndThreeThreads) {
   }
 }
 
+TEST(StateHash, IsTheSameWhereNobodyLooksBetweenSteps) {
+  for (const int threads : {1, 2, 3}) {
+    Simulation s = sticky_start(threads);
+    for (std::uint64_t k = 1; k <= sticky_steps; ++k)
+      s.step(k % 37 == 0 || k == sticky_steps ? Simulation::Then::look : Simulation::Then::go_on);
+    EXPECT_EQ(s.hash(), plain_hash()) << threads << " threads";
+  }
+}
+
+TEST(StateHash, IsNotToBeHadInTheMiddleOfAStep) {
+  Simulation s = sticky_start(1);
+  go(s, sticky_steps);  // the rain is over
+  s.step(Simulation::Then::go_on);
+  EXPECT_THROW(s.hash(), Failure);
+  EXPECT_THROW(s.snapshot(), Failure);
+  s.step();
+  EXPECT_NO_THROW(s.hash());
+}
+
+TEST(NearLists, OfABedThatMovesAsOneAreRenewedAsRarelyAsOfOneAtRest) {
+  // Far from walls, and without gravity: only what parcels do against each other should count.
+  const auto rebuilds = [](const Vec3& together) {
+    Model m = sticky_model();
+    m.walls = {};
+    m.motions.clear();
+    m.sources.clear();
+    m.domain = {{-1, -1, -1}, {1, 1, 1}};
+    m.body_force.gravity = {};
+    auto parcels = sticky_parcels();
+    for (Parcel& p : parcels) p.velocity += together;
+    Simulation s(m, state_of(m, parcels), 1);
+    go(s, 2000);
+    return s.rebuilds();
+  };
+  const auto at_rest = rebuilds({}), moving = rebuilds({3, -2, 1});
+  EXPECT_GT(at_rest, 10u);
+  EXPECT_NEAR(static_cast<double>(moving), static_cast<double>(at_rest), 0.1 * static_cast<double>(at_rest));
+}
+
 TEST(StateHash, IsTheSameForHalfAndTwiceTheSkin) {
   EXPECT_EQ(hash_after(sticky_start(1, 0.5)), plain_hash());
   EXPECT_EQ(hash_after(sticky_start(1, 2.0)), plain_hash());
