@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Time per particle-step and memory on settled beds of growing size: step_time [--threads N] [--jkr]
-// [--look-every STEPS] [COUNT...] A bed of 10,000 is settled once and laid side by side, so that all sizes are the same bed.
+// [--energy] [--look-every STEPS] [COUNT...] A bed of 10,000 is settled once and laid side by side, so that all sizes are
+// the same bed.
 #include <fmt/format.h>
 #include <sys/resource.h>
 
@@ -34,9 +35,10 @@ double peak_bytes() {
 }
 
 void measure(const State& settled, std::size_t count, const scenes::Stuff& stuff,
-             const scenes::LawParts& parts, int threads, int look_every) {
+             const scenes::LawParts& parts, bool energy, int threads, int look_every) {
   const auto tiles = static_cast<std::uint32_t>(std::lround(std::sqrt(static_cast<double>(count) / tile)));
-  const Model model = scenes::yardstick_model(stuff, parts, width * std::max(tiles, 1u), 0.3);
+  Model model = scenes::yardstick_model(stuff, parts, width * std::max(tiles, 1u), 0.3);
+  model.energy_ledger = energy;
   Simulation simulation(model, scenes::tiled(settled, width, std::max(tiles, 1u)), threads);
   for (int k = 0; k < warm_up; ++k) simulation.step();
   const std::size_t parcels = simulation.state().parcels.size();
@@ -61,12 +63,15 @@ void measure(const State& settled, std::size_t count, const scenes::Stuff& stuff
 
 int main(int argc, char** argv) {
   int threads = 1, look_every = 16;
+  bool energy = false;  // with the ledger of energy
   scenes::LawParts parts;
   scenes::Stuff stuff;
   std::vector<std::size_t> counts;
   for (int k = 1; k < argc; ++k) {
     if (!std::strcmp(argv[k], "--threads") && k + 1 < argc)
       threads = std::stoi(argv[++k]);
+    else if (!std::strcmp(argv[k], "--energy"))
+      energy = true;
     else if (!std::strcmp(argv[k], "--look-every") && k + 1 < argc)
       look_every = std::stoi(argv[++k]);
     else if (!std::strcmp(argv[k], "--jkr")) {
@@ -80,6 +85,6 @@ int main(int argc, char** argv) {
   const State settled = scenes::settled_yardstick(stuff, parts, width, tile, settling_steps, threads);
   fmt::print("{:>10} {:>8} {:>10} {:>12} {:>10} {:>10} {:>12} {:>12} {:>12}\n", "parcels", "threads",
              "ns/step", "Mp-steps/s", "contacts", "near", "rebuild/step", "bytes", "peak bytes");
-  for (const std::size_t count : counts) measure(settled, count, stuff, parts, threads, look_every);
+  for (const std::size_t count : counts) measure(settled, count, stuff, parts, energy, threads, look_every);
   return 0;
 }

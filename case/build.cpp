@@ -302,6 +302,7 @@ class Builder {
     result.wall_window = section.optional_number("wall_window");
     result.column_diameters = section.number("column_diameters");
     result.interval = section.number("interval");
+    result.energy_ledger = section.flag("energy_ledger");
     for (const Section& part : section.group("parts"))
       result.parts.push_back({part.name, part.vector("min"), part.vector("max")});
     for (const Section& surface : section.group("surfaces"))

@@ -191,6 +191,7 @@ struct MeasureChoice {
   std::optional<double> wall_window;  ///< s over which forces on walls are averaged
   double column_diameters = 2.0;      ///< edge of a free-surface column in mean parcel diameters
   double interval = 0.0;  ///< s between lines of measures.csv; 0: a hundredth of the longest phase
+  bool energy_ledger = false;
   std::vector<MeasuredPart> parts;
   std::vector<FlowSurface> surfaces;
 };

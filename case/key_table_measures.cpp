@@ -98,6 +98,13 @@ void append_measures(Keys& keys) {
               .standard = "2",
               .range = positive,
               .help = "edge of a column in which the free surface is found, in mean parcel diameters"},
+             {.pattern = "measures.energy_ledger",
+              .kind = boolean,
+              .example = "true",
+              .standard = "false",
+              .help = "add up where all energy goes: what contacts store, each dissipation, touch and "
+                      "separation, walls, "
+                      "insertion; steps take more than twice as long"},
              {.pattern = "measures.wall_window",
               .kind = quantity,
               .dimension = dimension::time,

@@ -64,6 +64,21 @@ void add_ledger(const JsonEntry& result, RunData& run) {
   }
 }
 
+void add_energy(const JsonEntry& result, RunData& run) {
+  const auto energy = result.find("energy");
+  if (!energy) return;
+  std::string text;
+  for (const auto& [name, entry] : energy->members()) {
+    if (name == "closing_share" || entry.number() == 0.0) continue;
+    std::string words = name.substr(0, name.rfind("_J"));
+    std::replace(words.begin(), words.end(), '_', ' ');
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", words, value_text(entry.number(), "J", 4));
+  }
+  run.numbers.emplace_back("ledger of energy", text);
+  run.numbers.emplace_back("energy unaccounted for, over what was put through",
+                           value_text(energy->at("closing_share").number(), "1", 2));
+}
+
 /// What the run says of itself, for the page's last table.
 void read_numbers(const JsonEntry& result, RunData& run) {
   const auto number = [&](const char* key, const std::string& words, const char* unit, int digits = 6) {
@@ -77,6 +92,7 @@ void read_numbers(const JsonEntry& result, RunData& run) {
   text("time_step_limit", "time step bound by");
   number("steps", "steps", "1", 15);
   add_ledger(result, run);
+  add_energy(result, run);
   number("largest_overlap_over_radius", "largest overlap over the radius", "1", 3);
   number("wall_time_s", "time on the clock", "s", 4);
   number("particle_steps_per_s", "parcels times steps per second", "1", 3);

@@ -293,6 +293,11 @@ Assembly assemble(const Case& c) {
                     "xyz"[m.domain.shear.flow], "xyz"[m.domain.shear.gradient],
                     format_quantity(1.0 / magnitude(m.domain.shear.rate), dimension::time),
                     1.0 / (magnitude(m.domain.shear.rate) * m.dt)));
+  m.energy_ledger = c.measures.energy_ledger;
+  if (m.energy_ledger && m.domain.shear.any())
+    problems.add("measures.energy_ledger",
+                 "the ledger of energy does not know the work of sheared faces\n  leave it out where the "
+                 "domain is sheared");
   check_periodic_widths(m, problems);
   check_parts(c, 2.0 * m.largest_radius, problems);
   for (const Motion& motion : c.motions) m.motions.push_back(motion.motion);

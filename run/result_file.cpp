@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "run/energy_lines.hpp"
 #include "run/measures_json.hpp"
 #include "run/sight.hpp"
 
@@ -29,6 +30,13 @@ Json to_json(const std::vector<Escape>& escapes) {
                     {"speed_m_s", norm(e.velocity)},
                     {"through", e.through}});
   return list;
+}
+
+Json energy_json(const EnergyBalance& balance) {
+  Json json = Json::object();
+  for (const EnergyLine& line : energy_lines(balance)) json[std::string(line.name) + "_J"] = line.value;
+  json["closing_share"] = balance.closing_share();
+  return json;
 }
 
 /// Sum of the masses in order of ids, kg.
@@ -77,6 +85,7 @@ Json result_json(const Case& c, const TimeStep& time_step, const RunSummary& sum
                            {"present", present_mass(*simulation)},
                            {"removed", ledger.removed_mass},
                            {"escaped", ledger.escaped_mass}};
+    if (const auto energy = simulation->energy()) json["energy"] = energy_json(*energy);
     json["escapes"] = to_json(state.escapes);
   }
   Json phases = Json::array();

@@ -79,18 +79,24 @@ const std::string& free_of_inputs(const Case& c, const std::string& folder) {
   return folder;
 }
 
-const std::vector<std::string> log_columns{"step",
-                                           "time_s",
-                                           "phase",
-                                           "parcels",
-                                           "pair_contacts",
-                                           "wall_contacts",
-                                           "kinetic_energy_J",
-                                           "largest_speed_m_s",
-                                           "largest_overlap_over_radius",
-                                           "highest_point_m",
-                                           "inserted_mass_kg",
-                                           "escaped"};
+std::vector<std::string> log_columns(const Case& c) {
+  std::vector<std::string> columns{"step",
+                                   "time_s",
+                                   "phase",
+                                   "parcels",
+                                   "pair_contacts",
+                                   "wall_contacts",
+                                   "kinetic_energy_J",
+                                   "largest_speed_m_s",
+                                   "largest_overlap_over_radius",
+                                   "highest_point_m",
+                                   "inserted_mass_kg",
+                                   "escaped"};
+  if (c.measures.energy_ledger)
+    columns.insert(columns.end(), {"potential_energy_J", "stored_energy_J", "lost_energy_J",
+                                   "brought_in_energy_J", "energy_closing_error_J"});
+  return columns;
+}
 
 /// The files that belong to what is written.
 std::set<std::string> names_of(const WrittenResults& written) {
@@ -133,8 +139,8 @@ Results::Results(const Case& c, const TimeStep& time_step, const Walls& walls, c
       time_step_(time_step),
       folder_(folder),
       written_(written),
-      log_(written.log > 0 ? CsvLog::continued(folder.file("log.csv"), log_columns, written.log)
-                           : CsvLog(folder.file("log.csv"), log_columns)),
+      log_(written.log > 0 ? CsvLog::continued(folder.file("log.csv"), log_columns(c), written.log)
+                           : CsvLog(folder.file("log.csv"), log_columns(c))),
       wall_results_(folder, walls, written.wall_log),
       measure_results_(folder, written.measures),
       frames_(folder, written.frames) {
@@ -203,12 +209,22 @@ void Results::log(const Simulation& simulation, const std::string& phase) {
   }
   const double overlap = largest_overlap_ratio(simulation);
   written_.largest_overlap = std::max(written_.largest_overlap, overlap);
-  log_.add({static_cast<std::int64_t>(state.step), simulation.time(), std::string_view(phase),
-            static_cast<std::int64_t>(state.parcels.size()),
-            static_cast<std::int64_t>(count_of(simulation.pairs().touching)),
-            static_cast<std::int64_t>(count_of(simulation.walls().touching)),
-            measures::energies(sight.bodies, simulation.field().gravity).kinetic(), fastest, overlap, highest,
-            state.ledger.inserted_mass, static_cast<std::int64_t>(state.ledger.escaped)});
+  std::vector<CsvCell> cells{static_cast<std::int64_t>(state.step),
+                             simulation.time(),
+                             std::string_view(phase),
+                             static_cast<std::int64_t>(state.parcels.size()),
+                             static_cast<std::int64_t>(count_of(simulation.pairs().touching)),
+                             static_cast<std::int64_t>(count_of(simulation.walls().touching)),
+                             measures::energies(sight.bodies, simulation.field().gravity).kinetic(),
+                             fastest,
+                             overlap,
+                             highest,
+                             state.ledger.inserted_mass,
+                             static_cast<std::int64_t>(state.ledger.escaped)};
+  if (const auto energy = simulation.energy())
+    cells.insert(cells.end(), {energy->potential, energy->stored(), energy->lost(),
+                               energy->brought_in() + energy->body_forces, energy->closing_error()});
+  log_.add(cells);
 }
 
 }  // namespace pulvis

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "case/units.hpp"
+#include "run/energy_lines.hpp"
 #include "run/preflight.hpp"
 #include "run/runner.hpp"
 
@@ -136,6 +137,8 @@ Exit run_case(const RunRequest& request) {
   if (failed) summary.exit = failed->code(), summary.reason = failed->what();
   warn_of_overlap(results.largest_overlap(), summary);
   if (runner) warn_of_escapes(c, runner->simulation().state(), summary);
+  if (const auto energy = runner ? runner->simulation().energy() : std::nullopt)
+    warn_of_energy(*energy, summary);
   // First: if the results cannot be written, that is a second failure, not the reason of the first.
   if (summary.exit != Exit::ok) fmt::print(stderr, "pulvis: {}\n", summary.reason);
   results.write_result(summary, runner ? &runner->simulation() : nullptr);

@@ -7,6 +7,7 @@
 
 #include "case/units.hpp"
 #include "output/progress.hpp"
+#include "run/energy_lines.hpp"
 
 namespace pulvis {
 
@@ -75,6 +76,7 @@ void print_summary(const Case& c, const std::string& folder, const RunSummary& s
   const Ledger& l = simulation.state().ledger;
   fmt::print("  ledger: {} inserted = {} present + {} removed + {} escaped\n", l.inserted,
              simulation.state().parcels.size(), l.removed, l.escaped);
+  if (const auto energy = simulation.energy()) fmt::print("{}\n", energy_text(*energy));
   fmt::print("Results in {0}:\n  numbers   {0}/result.json, {0}/measures.csv, {0}/log.csv\n", folder);
   if (c.output.picture)
     fmt::print("  picture   {0}/picture.png{1}\n", folder,

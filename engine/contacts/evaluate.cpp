@@ -87,15 +87,6 @@ std::uint32_t owner_of_edge(const NearWalls& near, std::uint32_t begin, std::spa
   return best;
 }
 
-/// Direction to the wall in the middle of the step, in space: where curved surfaces, edges and turning bodies
-/// stood dt/2 ago.
-Vec3 half_normal(const WallSight& half, const Pose& pose) {
-  const Vec3 there = half.offset / half.distance;
-  if (!pose.turns) return pose.now.turn(there);
-  const Vec3 between = pose.now.turn(there) + pose.before.turn(there);
-  return between / norm(between);
-}
-
 void stage_wall(ContactBlock& b, std::uint32_t slot, const Parcel& p, const Walls& walls, const Pose& pose,
                 const WallSight& sight, const Vec3& before_at, const Vec3& at, NearWalls& near, double dt) {
   const int k = b.count++;
@@ -103,13 +94,8 @@ void stage_wall(ContactBlock& b, std::uint32_t slot, const Parcel& p, const Wall
   near.touched_facet[slot] = sight.facet;
   const Vec3 normal = pose.now.turn(sight.offset / sight.distance);
   const WallSight half = look(walls, near, slot, 0.5 * (before_at + at));
-  const Surface::Kind kind = walls.surfaces[near.surface[slot]].kind;
-  // In the middle of the step it may still have been on an edge, where the normal turns.
-  const bool flat =
-      sight.nearest.in_face && half.nearest.in_face && !pose.turns &&
-      (kind == Surface::Kind::plane || kind == Surface::Kind::rectangle || kind == Surface::Kind::disc);
   put(b.normal, k, normal);
-  put(b.half_normal, k, flat || half.distance == 0.0 ? normal : half_normal(half, pose));
+  put(b.half_normal, k, normal_in_the_middle(walls, near, slot, sight, half, pose));
   put(b.velocity, k, p.velocity - pose.velocity(half.nearest.point, dt));
   put(b.spin_first, k, p.spin);
   put(b.spin_second, k, pose.spin);

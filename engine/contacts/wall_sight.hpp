@@ -35,6 +35,22 @@ inline WallSight look(const Walls& walls, const NearWalls& near, std::size_t slo
   return sight;
 }
 
+/// Direction to the wall in the middle of the step, in space: where curved surfaces, edges and turning bodies stood dt/2
+/// ago. `sight` is from the end of the step, `half` from its middle.
+inline Vec3 normal_in_the_middle(const Walls& walls, const NearWalls& near, std::size_t slot,
+                                 const WallSight& sight, const WallSight& half, const Pose& pose) {
+  const Surface::Kind kind = walls.surfaces[near.surface[slot]].kind;
+  // In the middle of the step it may still have been on an edge, where the normal turns.
+  const bool flat =
+      sight.nearest.in_face && half.nearest.in_face && !pose.turns &&
+      (kind == Surface::Kind::plane || kind == Surface::Kind::rectangle || kind == Surface::Kind::disc);
+  if (flat || half.distance == 0.0) return pose.now.turn(sight.offset / sight.distance);
+  const Vec3 there = half.offset / half.distance;
+  if (!pose.turns) return pose.now.turn(there);
+  const Vec3 between = pose.now.turn(there) + pose.before.turn(there);
+  return between / norm(between);
+}
+
 /// Whether a centre that went from `from` to `to` changed sides through the face itself. `sight`: from `to`.
 inline bool crossed(const Walls& walls, const NearWalls& near, std::size_t slot, const WallSight& sight,
                     const Vec3& from, const Vec3& to) {

@@ -3,18 +3,22 @@
 #include <string_view>
 
 #include "engine/kernels/contact_block.hpp"
+#include "engine/kernels/energy_block.hpp"
 
 namespace pulvis::kernels {
 
 namespace baseline {
 ContactKernel contact_kernel(const laws::Law& law);
-}
+EnergyKernel energy_kernel(const laws::Law& law);
+}  // namespace baseline
 namespace avx2 {
 ContactKernel contact_kernel(const laws::Law& law);
-}
+EnergyKernel energy_kernel(const laws::Law& law);
+}  // namespace avx2
 namespace avx512 {
 ContactKernel contact_kernel(const laws::Law& law);
-}
+EnergyKernel energy_kernel(const laws::Law& law);
+}  // namespace avx512
 
 namespace {
 
@@ -60,6 +64,18 @@ ContactKernel contact_kernel(const laws::Law& law, InstructionSet set) {
       break;
   }
   return baseline::contact_kernel(law);
+}
+
+EnergyKernel energy_kernel(const laws::Law& law, InstructionSet set) {
+  switch (set) {
+    case InstructionSet::avx512:
+      return avx512::energy_kernel(law);
+    case InstructionSet::avx2:
+      return avx2::energy_kernel(law);
+    case InstructionSet::baseline:
+      break;
+  }
+  return baseline::energy_kernel(law);
 }
 
 }  // namespace pulvis::kernels

@@ -48,6 +48,20 @@ struct Dashpots {
   double normal, tangential;
 };
 
+/// Energy that a contact stores, J, against bodies that do not touch.
+struct Stored {
+  double elastic;   ///< of normal deformation
+  double cohesive;  ///< of surfaces that stick together; negative
+};
+
+/// How a spring of the sliding, rolling or twisting law is remembered.
+enum class SpringKind {
+  none,          ///< there is none: all of the law's work is lost
+  displacement,  ///< its length: the force follows the stiffness
+  force,         ///< its force
+  shrinking      ///< its force, which shrinks with the stiffness of an opening contact
+};
+
 /// What a law of cohesion adds to a normal law that knows none.
 struct Attraction {
   double pull;                                ///< N, positive pulls together

@@ -22,6 +22,7 @@ struct Model {
   std::vector<motions::Motion> motions;
   std::vector<SourceModel> sources;
   std::uint64_t seed = 1;
+  bool energy_ledger = false;  ///< whether energies are added up; changes no other bit of the state
   double smallest_radius = 0.0, largest_radius = 0.0;  ///< m, of all parcels that can appear
   /// Overlap of two parcels over the smaller radius at which a run stops.
   double largest_overlap = 0.5;

@@ -55,6 +55,13 @@ Simulation::Simulation(Model model, State state, int threads)
   const TouchingList pairs = std::move(state_.pairs), walls = std::move(state_.walls);
   state_.pairs = state_.walls = {};
   rebuild(pairs, walls, same_order(state_.parcels.size()));
+  if (!model_.energy_ledger) {
+    state_.energy = {};  // what was added up before says nothing of what comes
+    return;
+  }
+  energy_.emplace(model_, most_threads_);
+  next_poses_ = poses_;
+  energy_->begin(state_.energy, view(), field());
 }
 
 int Simulation::threads() const {
@@ -78,16 +85,19 @@ void Simulation::step(Then then) {
   walls_may_be_left_ = notice_.wrapped && has_bounded_walls_;
   if (notice_.stale || walls_may_be_left_ || a_body_left_its_margin()) rebuild();
   walls_may_be_left_ = false;
+  if (energy_) energy_->before_contacts(pairs_, walls_);
   evaluator_.walls(walls_, state_.parcels, model_.walls, poses_, model_.classes, model_.dt, threads(),
                    crossings_);
   ++state_.step;
   const StepBeginning next = beginning();
   const bool guarded = state_.step % steps_between_guards == 0;
-  ahead_ = then == Then::go_on && !guarded && crossings_.empty() && state_.escapes.size() == escaped_before &&
-           !a_source_is_due();
+  ahead_ = then == Then::go_on && !energy_ && !guarded && crossings_.empty() &&
+           state_.escapes.size() == escaped_before && !a_source_is_due();
+  if (energy_) energy_->before_kick(state_.parcels);
   notice_ = sweep({state_.parcels, pairs_, walls_, evaluator_, model_.classes, images_, reference_, margin_},
                   {field_towards(-0.5), model_.dt}, ahead_ ? &next : nullptr);
   if (ahead_) drift_ += model_.dt * drift_velocity_;
+  if (energy_) account_energy();
   if (!crossings_.empty()) take_out_crossed();
   if (guarded) require_sound();
 }
@@ -96,6 +106,36 @@ ShearedStep Simulation::shear_to_next_step() const {
   if (!model_.domain.shear.any()) return {};
   const auto steps = static_cast<double>(state_.step + 1 - rebuilt_at_);
   return {slide_at(state_.step + 1), model_.domain.shear.rate * steps * model_.dt, reach_};
+}
+
+// --- energy ----------------------------------------------------------------------------------------------
+
+ContactView Simulation::view() const {
+  return {pairs_,      walls_,         state_.parcels,  model_.walls, poses_,
+          next_poses_, model_.classes, images_.periods, model_.dt,    threads()};
+}
+
+void Simulation::account_energy() {
+  for (std::size_t b = 0; b < poses_.size(); ++b)
+    next_poses_[b] = Pose::of_step(poses_[b].now, placement(b, state_.step + 1), model_.dt);
+  energy_->after_step(state_.energy, view(), field());
+}
+
+void Simulation::account_leaving(const Parcel& parcel, const Load& load, Velocities velocities) {
+  if (!energy_) return;
+  Parcel p = parcel;  // as it is in the middle of a step
+  const double half = 0.5 * model_.dt;
+  if (velocities == Velocities::of_end) {
+    p.velocity += (half / p.mass) * load.force;
+    p.spin += (half / inertia(p)) * load.torque;
+  }
+  const double to_middle = velocities == Velocities::of_end ? half : -half;
+  energy_->remove(state_.energy, p, p.position + to_middle * p.velocity);
+}
+
+std::optional<EnergyBalance> Simulation::energy() const {
+  if (!energy_) return std::nullopt;
+  return energy_->balance(state_.energy, state_.parcels);
 }
 
 // --- sources and motions ---------------------------------------------------------------------------------
@@ -133,6 +173,7 @@ void Simulation::insert_due_parcels() {
       state_.parcels.load.push_back({p.mass * field().at(p.position), {}});
       ++state_.ledger.inserted;
       state_.ledger.inserted_mass += p.mass;
+      if (energy_) energy_->insert(state_.energy, p, field());
     }
     if (source.done) model_.sources[k].list = {};  // a bed is given once
   }
@@ -197,11 +238,13 @@ void Simulation::move_bodies_to(std::uint64_t step) {
 
 void Simulation::set_absent(std::size_t body, bool absent) {
   if (poses_[body].absent == absent) return;
+  const double stored_before = energy_ ? energy_->stored(view()) : 0.0;
   state_.body_absent[body] = absent ? 1 : 0;
   poses_[body].absent = absent;
   TouchingList kept = walls_.pack();
   if (absent) kept = without_body(kept, body);
   rebuild(pairs_.pack(state_.parcels, threads()), kept, same_order(state_.parcels.size()));
+  if (energy_) state_.energy.removed += stored_before - energy_->stored(view());
   if (!absent) require_nothing_inside(body);
 }
 
@@ -251,7 +294,7 @@ void Simulation::take_out_escaped(const StepNotice& notice) {
     const Parcel& p = state_.parcels.body[i];
     state_.escapes.push_back({p.id, time() + model_.dt, p.position, p.velocity, "domain"});
   }
-  remove(out);
+  remove(out, Velocities::of_middle);
 }
 
 void Simulation::take_out_crossed() {
@@ -263,11 +306,12 @@ void Simulation::take_out_crossed() {
     out.push_back(c.parcel);
   }
   crossings_.clear();
-  remove(out);
+  remove(out, Velocities::of_end);
 }
 
-void Simulation::remove(std::vector<std::uint32_t>& indices) {
+void Simulation::remove(std::vector<std::uint32_t>& indices, Velocities velocities) {
   if (indices.empty()) return;
+  const double stored_before = energy_ ? energy_->stored(view()) : 0.0;
   // In order of ids, so that the sum of masses does not depend on how the store is sorted.
   std::sort(indices.begin(), indices.end(), [&](std::uint32_t a, std::uint32_t b) {
     return state_.parcels.body[a].id < state_.parcels.body[b].id;
@@ -279,6 +323,7 @@ void Simulation::remove(std::vector<std::uint32_t>& indices) {
     gone[i] = true;
     ++state_.ledger.escaped;
     state_.ledger.escaped_mass += state_.parcels.body[i].mass;
+    account_leaving(state_.parcels.body[i], state_.parcels.load[i], velocities);
   }
   const TouchingList old_pairs = pairs_.pack(state_.parcels, threads()), old_walls = walls_.pack();
   std::vector<std::uint32_t> old_index;
@@ -295,6 +340,7 @@ void Simulation::remove(std::vector<std::uint32_t>& indices) {
   const auto stood_at = rebuild(old_pairs, old_walls, std::move(old_index));
   pairs_.take_over_loads(pairs_before, stood_at);
   walls_.take_over_loads(walls_before, stood_at);
+  if (energy_) state_.energy.removed += stored_before - energy_->stored(view());
 }
 
 // --- near lists ------------------------------------------------------------------------------------------

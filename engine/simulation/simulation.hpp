@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "engine/contacts/evaluate.hpp"
 #include "engine/contacts/near_pairs.hpp"
 #include "engine/contacts/near_walls.hpp"
 #include "engine/dynamics/integrate.hpp"
+#include "engine/simulation/energy_ledger.hpp"
 #include "engine/simulation/model.hpp"
 #include "engine/simulation/state.hpp"
 
@@ -69,6 +71,9 @@ class Simulation {
   int most_threads() const { return most_threads_; }
   std::uint64_t rebuilds() const { return rebuilds_; }
 
+  /// Where all energy is and went; empty unless the model asks for the ledger.
+  std::optional<EnergyBalance> energy() const;
+
   /// Force of all parcels on a surface, N, summed in order of ids.
   Vec3 force_on_surface(std::size_t surface) const;
   /// Slots of walls() in the order of the parcels' ids, surfaces ascending: sums that go through it do not
@@ -104,11 +109,16 @@ class Simulation {
   void sort_wall_slots();
   void take_out_escaped(const StepNotice& notice);
   void take_out_crossed();
-  void remove(std::vector<std::uint32_t>& indices);
   void require_shallow() const;
   void require_slow_walls() const;
   /// What a parcel touches, and by which law: for messages.
   std::string surroundings_of(std::size_t parcel) const;
+  /// When parcels leave, velocities are those of the middle of a step that moved them, or of its end.
+  enum class Velocities { of_middle, of_end };
+  void remove(std::vector<std::uint32_t>& indices, Velocities velocities);
+  ContactView view() const;
+  void account_energy();
+  void account_leaving(const Parcel& parcel, const Load& load, Velocities velocities);
   [[noreturn]] void fail_at(const char* what, const char* remedy, const Parcel& parcel) const;
 
   /// Rebuilds the near lists and carries the contacts over. `old_index` as in NearPairs::restore.
@@ -129,6 +139,8 @@ class Simulation {
   NearPairs pairs_;
   NearWalls walls_;
   ContactEvaluator evaluator_;
+  std::optional<EnergyLedger> energy_;
+  std::vector<Pose> next_poses_;  ///< of the step that comes; only for the ledger of energy
   Vec3 drift_velocity_,
       drift_;  ///< m/s that most parcels had at the last rebuild, and m they made since by it
   std::vector<Vec3> reference_;                    ///< positions at the last rebuild

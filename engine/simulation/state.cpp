@@ -9,6 +9,7 @@
 #include <numeric>
 #include <type_traits>
 
+#include "engine/kernels/energy_block.hpp"
 #include "engine/simulation/model.hpp"
 #include "engine/simulation/state_fields.hpp"
 
@@ -128,6 +129,10 @@ void require_fit(const State& state, const Model& model) {
     ByteReader::require(s.opened <= state.step && s.mass_at_opening >= 0.0 && s.mass_at_opening <= s.mass &&
                         std::isfinite(s.mass));
   ByteReader::require(state.progress.phase_start <= state.step);
+  const std::size_t terms = state.energy.begun ? kernels::energy_terms : 0;
+  ByteReader::require(state.energy.terms.size() == terms && state.energy.last_terms.size() == terms &&
+                      std::isfinite(state.energy.start) && std::isfinite(state.energy.inserted) &&
+                      std::isfinite(state.energy.removed));
   const Ledger& ledger = state.ledger;
   ByteReader::require(ledger.inserted == count + ledger.removed + ledger.escaped &&
                       state.escapes.size() == ledger.escaped);

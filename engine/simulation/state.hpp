@@ -21,6 +21,22 @@ struct Ledger {
   double inserted_mass = 0.0, removed_mass = 0.0, escaped_mass = 0.0;  ///< kg
 };
 
+/// What the ledger of energy has added up: exact sums in quanta (engine/math/exact_sum.hpp) and, of parcels that came
+/// and went, sums in order of ids, J.
+struct EnergyAccount {
+  struct Total {
+    std::uint64_t low = 0;  ///< of the whole in 128 bits
+    std::int64_t high = 0;
+  };
+
+  bool begun = false;
+  std::vector<Total> terms;       ///< as in kernels::EnergyTerm; those stored are of the last step
+  std::vector<Total> last_terms;  ///< those of the last step
+  Total body_forces, last_body_forces;
+  double start = 0.0;  ///< kinetic, potential and stored when it began
+  double inserted = 0.0, removed = 0.0;
+};
+
 /// A parcel that left the domain or passed through a wall.
 struct Escape {
   std::uint32_t id = 0;
@@ -52,6 +68,7 @@ struct State {
   std::vector<SourceState> sources;
   std::uint32_t next_id = 0;
   Ledger ledger;
+  EnergyAccount energy;
   std::vector<Escape> escapes;
   PhaseProgress progress;
 };

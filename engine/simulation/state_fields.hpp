@@ -48,6 +48,14 @@ void fields(Archive& archive, Ledger& l) {
   archive(l.inserted, l.removed, l.escaped, l.inserted_mass, l.removed_mass, l.escaped_mass);
 }
 template <class Archive>
+void fields(Archive& archive, EnergyAccount::Total& t) {
+  archive(t.low, t.high);
+}
+template <class Archive>
+void fields(Archive& archive, EnergyAccount& e) {
+  archive(e.begun, e.terms, e.last_terms, e.body_forces, e.last_body_forces, e.start, e.inserted, e.removed);
+}
+template <class Archive>
 void fields(Archive& archive, Escape& e) {
   archive(e.id, e.time, e.position, e.velocity, e.through);
 }
@@ -58,7 +66,7 @@ void fields(Archive& archive, PhaseProgress& p) {
 template <class Archive>
 void fields(Archive& archive, State& s) {
   archive(s.step, s.parcels.body, s.parcels.load, s.pairs, s.walls, s.motions, s.body_absent, s.sources,
-          s.next_id, s.ledger, s.escapes, s.progress);
+          s.next_id, s.ledger, s.energy, s.escapes, s.progress);
 }
 
 }  // namespace pulvis

@@ -11,7 +11,10 @@ namespace fs = std::filesystem;
 namespace {
 
 /// Checkpoints come so often that kills meet some of them being written.
-const std::string die = with(small_die, "[output]", R"([measures.surfaces.mouth]
+const std::string die = with(small_die, "[output]", R"([measures]
+energy_ledger = true
+
+[measures.surfaces.mouth]
 point = ["1.5 mm", "1.5 mm", "4 mm"]
 normal = [0, 0, -1]
 radius = "2 mm"

@@ -30,6 +30,7 @@ struct CapillaryRabinovich {
   static constexpr const char* name = "capillary_rabinovich";
   static constexpr bool acts = true, reaches = true, needs_sizes = true, is_viscous = true,
                         has_pull_off = true;
+  static constexpr bool states_energy = false;  // no closed form
   static constexpr CohesionLimit standard_limit = CohesionLimit::without;
   struct Pair {
     BridgePair bridge;

@@ -27,6 +27,7 @@ struct CapillaryWillett {
   static constexpr const char* name = "capillary_willett";
   static constexpr bool acts = true, reaches = true, needs_sizes = true, is_viscous = true,
                         has_pull_off = true;
+  static constexpr bool states_energy = false;  // no closed form
   static constexpr CohesionLimit standard_limit = CohesionLimit::without;
   struct Pair {
     BridgePair bridge;

@@ -38,6 +38,10 @@ struct Dmt {
     const double pull_off = pair.pull_off * touch.radius;
     return {pull_off, pull_off, 0.0, 0.0};
   }
+  static constexpr bool states_energy = true;
+  PULVIS_INLINE static double stored(const Touch& touch, const Pair& pair) {
+    return -pair.pull_off * touch.radius * greatest(touch.overlap, 0.0);
+  }
 };
 
 }  // namespace pulvis::laws::cohesion

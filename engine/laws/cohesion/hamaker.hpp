@@ -49,6 +49,13 @@ struct Hamaker {
     const double scale = pair.sixth * touch.radius;
     return {scale / (gap * gap), scale / (pair.shortest * pair.shortest), 0.0, 0.0};
   }
+  static constexpr bool states_energy = true;
+  PULVIS_INLINE static double stored(const Touch& touch, const Pair& pair) {
+    const double gap = least(greatest(-touch.overlap, pair.shortest), pair.longest);
+    const double nearer = pair.shortest - least(-touch.overlap, pair.shortest);
+    return -pair.sixth * touch.radius *
+           (1.0 / gap - 1.0 / pair.longest + nearer / (pair.shortest * pair.shortest));
+  }
 };
 
 }  // namespace pulvis::laws::cohesion

@@ -19,6 +19,8 @@ struct None {
   PULVIS_INLINE static double separation_gap(const Touch&, const Pair&) { return 0.0; }
   PULVIS_INLINE static double formation_gap(const Touch&, const Pair&) { return 0.0; }
   PULVIS_INLINE static Attraction attraction(const Touch&, const Pair&) { return {}; }
+  static constexpr bool states_energy = true;
+  PULVIS_INLINE static double stored(const Touch&, const Pair&) { return 0.0; }
 };
 
 }  // namespace pulvis::laws::cohesion

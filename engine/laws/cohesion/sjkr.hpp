@@ -28,6 +28,7 @@ struct Sjkr {
   static constexpr const char* name = "sjkr";
   static constexpr bool acts = true, reaches = false, needs_sizes = true, is_viscous = false,
                         has_pull_off = false;
+  static constexpr bool states_energy = false;  // no closed form
   static constexpr CohesionLimit standard_limit = CohesionLimit::without;
   struct Pair {
     double density;  ///< k_c, Pa

@@ -41,6 +41,10 @@ struct Sjkr2ReducedRadius {
   PULVIS_INLINE static Attraction attraction(const Touch& touch, const Pair& pair) {
     return {pair.per_area * greatest(touch.overlap, 0.0) * touch.radius, 0.0, 0.0, 0.0};
   }
+  static constexpr bool states_energy = true;
+  PULVIS_INLINE static double stored(const Touch& touch, const Pair& pair) {
+    return -0.5 * attraction(touch, pair).pull * greatest(touch.overlap, 0.0);
+  }
 };
 
 /// See Sjkr2ReducedRadius.
@@ -50,6 +54,9 @@ struct Sjkr2TwiceReducedRadius : Sjkr2ReducedRadius {
   PULVIS_INLINE static Attraction attraction(const Touch& touch, const Pair& pair) {
     const double twice = select(touch.radius_second > 0.0, 2.0, 1.0);
     return {twice * pair.per_area * greatest(touch.overlap, 0.0) * touch.radius, 0.0, 0.0, 0.0};
+  }
+  PULVIS_INLINE static double stored(const Touch& touch, const Pair& pair) {
+    return -0.5 * attraction(touch, pair).pull * greatest(touch.overlap, 0.0);
   }
 };
 

@@ -39,6 +39,7 @@ namespace pulvis::laws::normal {
 struct Edinburgh {
   static constexpr const char* name = "edinburgh";
   static constexpr bool adhesive = true, remembers = true;
+  static constexpr bool states_energy = false;  // what is stored depends on the way that is yet to come
   struct Pair {
     double modulus;    ///< E*, Pa
     double ratio;      ///< kappa, -

@@ -40,6 +40,13 @@ struct Hertz {
     const double a = root(touch.radius * delta);
     return {(4.0 / 3.0) * pair.effective_modulus * a * delta, a, a, 0.0};
   }
+
+  static constexpr bool states_energy = true;
+  PULVIS_INLINE static Stored stored(const Touch& touch, const Pair&, const Normal& normal) {
+    return {0.4 * normal.elastic * greatest(touch.overlap, 0.0), 0.0};
+  }
+  PULVIS_INLINE static double stored_at_touch(double /*radius*/, const Pair&) { return 0.0; }
+  PULVIS_INLINE static double stored_at_separation(double /*radius*/, const Pair&) { return 0.0; }
 };
 
 }  // namespace pulvis::laws::normal

@@ -62,6 +62,13 @@ struct Hooke {
     const double stiffness = select(touch.overlap > 0.0, spring(touch, pair), 0.0);
     return {stiffness * delta, stiffness, stiffness, 0.0};
   }
+
+  static constexpr bool states_energy = true;
+  PULVIS_INLINE static Stored stored(const Touch& touch, const Pair&, const Normal& normal) {
+    return {0.5 * normal.elastic * greatest(touch.overlap, 0.0), 0.0};
+  }
+  PULVIS_INLINE static double stored_at_touch(double /*radius*/, const Pair&) { return 0.0; }
+  PULVIS_INLINE static double stored_at_separation(double /*radius*/, const Pair&) { return 0.0; }
 };
 
 }  // namespace pulvis::laws::normal

@@ -30,7 +30,12 @@ namespace pulvis::laws::normal {
 /// Valid      Tabor number (R* W^2/(E*^2 z0^3))^(1/3) above about 1 (soft, large or sticky); a << R*.
 /// Touch      at delta = 0, where the force jumps from 0 to -(8/9) F_po: nothing acts on approach before.
 /// Separation at delta = -delta_c, where the force jumps from -(5/9) F_po to 0. On the way it passes -F_po.
-/// Energy     each touch and separation loses W_s = 7.0922 (W^5 R*^4/E*^2)^(1/3) J; conservative between them.
+/// Energy     each touch and separation loses W_s = 7.0922 (W^5 R*^4/E*^2)^(1/3) J; conservative between them. Integrals
+///            of (7) over (6), with -pi a^2 W as the cohesive share:
+///              elastic     F_po delta_c (4/27) y^4 (y^6/10 - y^3 + 3)        [J]  (8)
+///              cohesive   -F_po delta_c (2/9) y^4                            [J]  (9)
+///              their sum   -(8/15) 4^(1/3) F_po delta_c at touch (y^3 = 4): lost there;
+///                          (4/45) F_po delta_c at separation (y = 1): lost there   [J]  (10)
 /// Friction   "shifted" by default: |F_t| <= mu |F + 2 F_po| (C. Thornton, J. Phys. D: Appl. Phys. 24 (1991) 1942,
 ///            doi:10.1088/0022-3727/24/11/007); "without" is Hertz's force at the same overlap.
 /// Tests      tests/laws/jkr_test.cpp, tests/verification/jkr_collision_test.cpp.
@@ -95,6 +100,25 @@ struct Jkr {
     const double pressed = pair.hertz * hertz * greatest(overlap, 0.0);
     return {force, pair.rupture * third * third * y * y, hertz,
             pair.shifted * pull_off + pair.without * (pressed - force)};
+  }
+
+  static constexpr bool states_energy = true;
+  PULVIS_INLINE static double scale_of_energy(double radius, const Pair& pair) {
+    return pair.pull_off * radius * pair.stretch * cube_root(radius);
+  }
+  /// (8) and (9).
+  PULVIS_INLINE static Stored stored(const Touch& touch, const Pair& pair, const Normal& normal) {
+    const double third = cube_root(touch.radius);
+    const double y2 = normal.contact_size / (pair.rupture * third * third);
+    const double cube = y2 * root(y2), fourth = scale_of_energy(touch.radius, pair) * y2 * y2;
+    return {(4.0 / 27.0) * fourth * (cube * (0.1 * cube - 1.0) + 3.0), -(2.0 / 9.0) * fourth};
+  }
+  /// (10).
+  PULVIS_INLINE static double stored_at_touch(double radius, const Pair& pair) {
+    return -(8.0 / 15.0) * 1.5874010519681994 * scale_of_energy(radius, pair);
+  }
+  PULVIS_INLINE static double stored_at_separation(double radius, const Pair& pair) {
+    return (4.0 / 45.0) * scale_of_energy(radius, pair);
   }
 };
 

@@ -30,6 +30,7 @@ namespace pulvis::laws::normal {
 struct Luding {
   static constexpr const char* name = "luding";
   static constexpr bool adhesive = true, remembers = true;
+  static constexpr bool states_energy = false;  // what is stored depends on the way that is yet to come
   struct Pair {
     Hooke::Pair first;     ///< k_1
     double plastic_ratio;  ///< k_p/k_1 - 1, -

@@ -21,6 +21,7 @@ namespace pulvis::laws::rolling {
 /// Tests      tests/laws/rolling_test.cpp, validation/rolling.cpp.
 struct ConstantTorque {
   static constexpr const char* name = "constant_torque";
+  static constexpr SpringKind spring = SpringKind::none;
   static constexpr bool needs_sizes = false;
   struct Pair {
     double friction;  ///< mu_r, -

@@ -23,6 +23,7 @@ namespace pulvis::laws::rolling {
 /// Tests      tests/laws/rolling_test.cpp, validation/rolling.cpp, validation/rolling_pile.cpp.
 struct ElasticPlastic {
   static constexpr const char* name = "elastic_plastic";
+  static constexpr SpringKind spring = SpringKind::force;
   static constexpr bool needs_sizes = false;
   struct Pair {
     double stiffness;  ///< k_t/a, Pa
@@ -33,6 +34,11 @@ struct ElasticPlastic {
 
   static Pair mix(const MaterialPair& pair, const Choices&, const Stiffness& stiffness) {
     return {stiffness.tangential, pair.rolling_friction};
+  }
+
+  /// k_r, N m/rad.
+  PULVIS_INLINE static double spring_stiffness(double contact_size, double radius, const Pair& pair) {
+    return pair.stiffness * contact_size * square(radius);
   }
 
   /// Torque on the first, N m; `spring` is the part of it that is remembered, before and after.
@@ -52,6 +58,7 @@ struct ElasticPlastic {
 /// No resistance to rolling.
 struct None {
   static constexpr const char* name = "none";
+  static constexpr SpringKind spring = SpringKind::none;
   static constexpr bool needs_sizes = false;
   struct Pair {};
   static constexpr std::array<Parameter, 0> parameters{};

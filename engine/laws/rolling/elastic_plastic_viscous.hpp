@@ -24,6 +24,7 @@ namespace pulvis::laws::rolling {
 /// Tests      tests/laws/rolling_test.cpp, validation/rolling.cpp.
 struct ElasticPlasticViscous {
   static constexpr const char* name = "elastic_plastic_viscous";
+  static constexpr SpringKind spring = SpringKind::force;
   static constexpr bool needs_sizes = true;
   struct Pair {
     double stiffness;  ///< 2.25 k_n mu_r^2 over the contact size
@@ -37,6 +38,11 @@ struct ElasticPlasticViscous {
   static Pair mix(const MaterialPair& pair, const Choices&, const Stiffness& stiffness) {
     return {2.25 * stiffness.secant * square(pair.rolling_friction), 2.0 * pair.rolling_viscosity,
             pair.rolling_friction};
+  }
+
+  /// k_r, N m/rad.
+  PULVIS_INLINE static double spring_stiffness(double contact_size, double radius, const Pair& pair) {
+    return pair.stiffness * contact_size * square(radius);
   }
 
   PULVIS_INLINE static Vec3 roll(const Touch& touch, double contact_size, double limiting_force,

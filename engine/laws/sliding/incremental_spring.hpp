@@ -26,6 +26,7 @@ namespace pulvis::laws::sliding {
 /// Tests      tests/laws/sliding_test.cpp.
 struct IncrementalSpring {
   static constexpr const char* name = "incremental_spring";
+  static constexpr SpringKind spring = SpringKind::force;
   static constexpr bool remembers_grip = false;
   struct Pair {
     double stiffness;  ///< k_t over the contact size
@@ -35,6 +36,11 @@ struct IncrementalSpring {
 
   static Pair mix(const MaterialPair& pair, const Choices&, const Stiffness& stiffness) {
     return {stiffness.tangential, pair.friction};
+  }
+
+  /// k_t, N/m.
+  PULVIS_INLINE static double spring_stiffness(double contact_size, const Pair& pair) {
+    return pair.stiffness * contact_size;
   }
 
   /// Force on the first, N; `spring` is the spring's force, N, before and after.

@@ -24,6 +24,7 @@ namespace pulvis::laws::sliding {
 /// Tests      tests/laws/sliding_test.cpp.
 struct RescaledSpring {
   static constexpr const char* name = "rescaled_spring";
+  static constexpr SpringKind spring = SpringKind::shrinking;
   static constexpr bool remembers_grip = true;
   struct Pair {
     double stiffness;  ///< k_t over the contact size
@@ -33,6 +34,11 @@ struct RescaledSpring {
 
   static Pair mix(const MaterialPair& pair, const Choices&, const Stiffness& stiffness) {
     return {stiffness.tangential, pair.friction};
+  }
+
+  /// k_t, N/m.
+  PULVIS_INLINE static double spring_stiffness(double contact_size, const Pair& pair) {
+    return pair.stiffness * contact_size;
   }
 
   /// Force on the first, N; `spring` is the spring's force, N, `grip` the contact size; before and after.

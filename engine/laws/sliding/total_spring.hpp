@@ -28,6 +28,7 @@ namespace pulvis::laws::sliding {
 ///            validation/chung_ooi.cpp.
 struct TotalSpring {
   static constexpr const char* name = "total_spring";
+  static constexpr SpringKind spring = SpringKind::displacement;
   static constexpr bool remembers_grip = false;
   struct Pair {
     double stiffness;  ///< k_t/a, Pa
@@ -38,6 +39,11 @@ struct TotalSpring {
 
   static Pair mix(const MaterialPair& pair, const Choices&, const Stiffness& stiffness) {
     return {stiffness.tangential, pair.friction};
+  }
+
+  /// k_t, N/m.
+  PULVIS_INLINE static double spring_stiffness(double contact_size, const Pair& pair) {
+    return pair.stiffness * contact_size;
   }
 
   /// Force on the first, N; `xi` is the spring, m, before and after.
@@ -60,6 +66,7 @@ struct TotalSpring {
 /// Frictionless.
 struct None {
   static constexpr const char* name = "none";
+  static constexpr SpringKind spring = SpringKind::none;
   static constexpr bool remembers_grip = false;
   struct Pair {};
   static constexpr std::array<Parameter, 0> parameters{};

@@ -18,6 +18,7 @@ namespace pulvis::laws::sliding {
 /// Tests      tests/laws/sliding_test.cpp.
 struct Viscous {
   static constexpr const char* name = "viscous";
+  static constexpr SpringKind spring = SpringKind::none;
   static constexpr bool remembers_grip = false;
   struct Pair {
     double friction;  ///< mu, -

@@ -38,6 +38,11 @@ struct ElasticPlastic {
     return {stiffness.tangential, pair.twisting_friction};
   }
 
+  /// k_w, N m/rad.
+  PULVIS_INLINE static double spring_stiffness(double contact_size, double radius, const Pair& pair) {
+    return pair.stiffness * contact_size * square(radius);
+  }
+
   /// Torque about the normal on the first, N m; `spring` is the part of it that is remembered, before and after.
   PULVIS_INLINE static double twist(const Touch& touch, double contact_size, double limiting_force,
                                     double dashpot, const Pair& pair, double& spring) {
