@@ -79,7 +79,7 @@ void Simulation::require_shallow() const {
   for (std::size_t s = 0; s < pairs_.slots(); ++s) {
     if (!pairs_.touching[s]) continue;
     const Parcel &p = state_.parcels.body[pairs_.first[s]], &q = state_.parcels.body[pairs_.second[s]];
-    const double overlap = p.radius + q.radius - norm(nearest_(q.position - p.position));
+    const double overlap = p.radius + q.radius - norm(images_(q.position - p.position));
     const double share = overlap / least(p.radius, q.radius);
     // Ids decide between equals, so that the message does not depend on how the store is sorted.
     if (share < deepest || (share == deepest && (!worst || p.id > worst->id))) continue;
