@@ -134,7 +134,7 @@ Exit conduct(const Request& request) {
     sweep::Overview overview(std::cerr, ProgressOptions::for_stderr(), "points");
     outcomes = sweep::run_all(tasks, sweep::this_program(), share.jobs, overview);
   }
-  sweep::print_what_is_missing(tasks, outcomes);
+  sweep::print_what_is_missing(tasks, outcomes, "points");
   if (const Exit exit = sweep::exit_of(outcomes); exit != Exit::ok) return exit;
   const std::vector<Done> done = results_of(request.out, points);
   validation::Findings findings;
