@@ -94,9 +94,9 @@ bool Procedure::may_end_after_next_step() const {
   if (const auto planned = planned_steps(p)) return next >= *planned;
   if (static_cast<double>(next) * dt < p.at_least) return false;
   if (p.until != Phase::Until::inserted) return next % steps_between_questions == 0;
-  return simulation_.a_source_is_due() ||
-         std::all_of(p.sources.begin(), p.sources.end(),
-                     [&](std::size_t s) { return simulation_.state().sources[s].done; });
+  return simulation_.a_source_is_due() || std::all_of(p.sources.begin(), p.sources.end(), [&](std::size_t s) {
+           return simulation_.state().sources[s].done;
+         });
 }
 
 bool Procedure::criterion_met(const Phase& p) const {
