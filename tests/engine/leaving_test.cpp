@@ -102,7 +102,7 @@ TEST(EscapeThroughAWall, IsNotClaimedForParcelsThatAreOutsideFromTheStart) {
   Simulation s(m,
                state_of(m, {parcel(0, {0.018, 0.01, 0.05}, 1e-3, 2500.0, {0, 5, 0}),
                             parcel(1, {0.01, 0.05, 0.05}, 1e-3, 2500.0, {0.5, 0, 0}),
-                            parcel(2, {0.0185, 0.05, 0.01}, 1e-3, 2500.0, {0, 0, 5})}),
+                            parcel(2, {0.0185, 0.06, 0.01}, 1e-3, 2500.0, {0, 0, 5})}),
                1);
   for (int k = 0; k < 1500; ++k) s.step();
   EXPECT_EQ(s.state().ledger.escaped, 0u);

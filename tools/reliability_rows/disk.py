@@ -168,7 +168,7 @@ def full_disk(build, quick):
             mount = subprocess.run(["mount", "-t", "tmpfs", "-o", f"size={size}k", "tmpfs", disk], capture_output=True,
                                    text=True, check=False)
             if mount.returncode != 0:
-                return Result(True, "SKIPPED: nothing can be mounted here: " + mount.stderr.strip(), runs=0)
+                return Result(None, "nothing can be mounted here: " + mount.stderr.strip(), runs=0)
             try:
                 outcome = run(build, out)
                 full += outcome.returncode == FAILED
