@@ -61,8 +61,16 @@ const std::string* Section::optional_text(const std::string& key) const {
   return found != nullptr ? &found->texts.front() : nullptr;
 }
 
-const Section& Section::table(const std::string& key) const { return tables.at(key); }
-const std::vector<Section>& Section::group(const std::string& key) const { return groups.at(key); }
+const Section& Section::table(const std::string& key) const {
+  static const Section none;
+  const auto found = tables.find(key);
+  return found != tables.end() ? found->second : none;
+}
+const std::vector<Section>& Section::group(const std::string& key) const {
+  static const std::vector<Section> none;
+  const auto found = groups.find(key);
+  return found != groups.end() ? found->second : none;
+}
 
 std::vector<Place> places_of(std::initializer_list<const Setting*> settings) {
   std::vector<Place> places;

@@ -61,6 +61,8 @@ struct Section {
   /// The text of a key or nullptr if it has no valid value.
   const std::string* optional_text(const std::string& key) const;
 
+  /// A table, or the tables of a group, below this one; empty and not given where a required table is not there at all or
+  /// something else stands in its place, which has been said already when rules are looked at.
   const Section& table(const std::string& key) const;
   const std::vector<Section>& group(const std::string& key) const;
 
