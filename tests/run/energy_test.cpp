@@ -58,14 +58,14 @@ TEST(EnergyOfARun, IsOnThePageOfTheRun) {
 
 TEST(EnergyOfARun, IsWarnedOfWhereMoreThanAHundredthIsUnaccountedFor) {
   // A run at a step that the program accepts closes better than that, so the balance is made up.
-  EnergyBalance balance;
+  pulvis::EnergyBalance balance;
   balance.start = 1.0;
-  RunSummary summary;
+  pulvis::RunSummary summary;
   balance.translational = 1.009;  // J more than there were
-  warn_of_energy(balance, summary);
+  pulvis::warn_of_energy(balance, summary);
   EXPECT_TRUE(summary.warnings.empty());
   balance.translational = 1.011;
-  warn_of_energy(balance, summary);
+  pulvis::warn_of_energy(balance, summary);
   ASSERT_EQ(summary.warnings.size(), 1u);
   EXPECT_TRUE(has(summary.warnings.front(), "the ledger of energy does not close"));
 }
