@@ -175,8 +175,11 @@ std::vector<Point> points(const Options& options) {
   };
   // Regimes: pressure against shear rate.
   for (const double fraction : {0.50, 0.5875, 0.66})
-    sweep(fraction, options.quick ? std::vector{1e-3, 3e-3, 1e-2, 3e-2}
-                                  : std::vector{3e-4, 1e-3, 3e-3, 1e-2, 3e-2, 1e-1});
+    sweep(fraction,
+          options.quick ? std::vector{1e-3, 3e-3, 1e-2, 3e-2} : std::vector{3e-4, 1e-3, 3e-3, 1e-2, 3e-2});
+  // Jammed parcels at this rate overlap by more than half a radius, where a run stops.
+  if (!options.quick)
+    for (const double fraction : {0.50, 0.5875}) sweep(fraction, {1e-1});
   if (!options.quick)
     for (const double fraction : {0.56, 0.62}) sweep(fraction, {1e-3, 3e-3, 1e-2, 3e-2, 1e-1});
   // Where the exponent of the rate is 1/2.
