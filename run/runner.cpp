@@ -14,7 +14,7 @@
 namespace pulvis {
 namespace {
 
-constexpr std::uint64_t steps_between_questions = 16;  // whether to stop, to save, to show progress
+constexpr std::uint64_t steps_between_looks = 16;  // whether to stop, to save, to show progress
 
 double hundredth_of_longest_phase(const Case& c) {
   double longest = 0.0;
@@ -181,7 +181,7 @@ void Runner::begin() {
 bool Runner::looks_after_next_step() const {
   const std::uint64_t next = simulation_.state().step + 1;
   const auto due = [&](std::uint64_t every) { return every != 0 && next % every == 0; };
-  return due(steps_between_questions) || due(log_every_) || due(measure_every_) || due(frame_every_) ||
+  return due(steps_between_looks) || due(log_every_) || due(measure_every_) || due(frame_every_) ||
          loads_.samples_after_next_step() || flows_.look_at(next) || procedure_.may_end_after_next_step();
 }
 

@@ -6,12 +6,13 @@
 
 namespace pulvis {
 
+inline constexpr std::size_t too_few_for_threads = 256;  ///< waking a thread costs more than this many items
+
 /// Calls body(begin, end, thread) on `threads` contiguous, equal shares of [0, count). Bodies must not throw
 /// and must write only what belongs to their share, so that results do not depend on the number of threads.
 template <class Body>
 void parallel_shares(std::size_t count, int threads, Body&& body) {
-  constexpr std::size_t too_few = 256;  // waking a thread costs more than this many items
-  if (threads <= 1 || count < too_few) {
+  if (threads <= 1 || count < too_few_for_threads) {
     body(std::size_t{0}, count, 0);
     return;
   }

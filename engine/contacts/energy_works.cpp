@@ -11,14 +11,8 @@ namespace {
 
 using kernels::EnergyBlock;
 using kernels::EnergyTerm;
-using kernels::Lanes3;
-
-inline void put(Lanes3& lanes, int k, const Vec3& v) {
-  lanes.x[k] = v.x;
-  lanes.y[k] = v.y;
-  lanes.z[k] = v.z;
-}
-inline Vec3 get(const Lanes3& lanes, int k) { return {lanes.x[k], lanes.y[k], lanes.z[k]}; }
+using kernels::load;
+using kernels::store;
 
 }  // namespace
 
@@ -47,13 +41,13 @@ void EnergyWorks::stage_pair(const ContactView& view, std::size_t slot, EnergyBl
   const int k = b.count++;
   const std::uint32_t i = view.near_pairs.first[slot], j = view.near_pairs.second[slot];
   const Parcel &p = middle_[i], &q = middle_[j], &p_end = view.parcels.body[i], &q_end = view.parcels.body[j];
-  put(b.offset, k, q.position - p.position);
-  put(b.linear, k, p.velocity - q.velocity);
-  put(b.end_linear, k, p_end.velocity - q_end.velocity);
-  put(b.spin_first, k, p.spin);
-  put(b.spin_second, k, q.spin);
-  put(b.end_spin_first, k, p_end.spin);
-  put(b.end_spin_second, k, q_end.spin);
+  store(b.offset, k, q.position - p.position);
+  store(b.linear, k, p.velocity - q.velocity);
+  store(b.end_linear, k, p_end.velocity - q_end.velocity);
+  store(b.spin_first, k, p.spin);
+  store(b.spin_second, k, q.spin);
+  store(b.end_spin_first, k, p_end.spin);
+  store(b.end_spin_second, k, q_end.spin);
   b.radius_first[k] = p.radius;
   b.radius_second[k] = q.radius;
   b.mass_first[k] = p.mass;
@@ -62,8 +56,8 @@ void EnergyWorks::stage_pair(const ContactView& view, std::size_t slot, EnergyBl
   b.touching[k] = view.near_pairs.touching[slot] && !ends_all_ ? 1.0 : 0.0;
   const std::size_t block = slot / kernels::block_size;
   const int lane = static_cast<int>(slot % kernels::block_size);
-  put(b.before.slide, k, get(springs_[block].slide, lane));
-  put(b.before.roll, k, get(springs_[block].roll, lane));
+  store(b.before.slide, k, load(springs_[block].slide, lane));
+  store(b.before.roll, k, load(springs_[block].roll, lane));
   if (!view.near_pairs.remembers) return;
   b.memory_before.plastic[k] = memory_[block].plastic[lane];
   b.memory_before.adhesion[k] = memory_[block].adhesion[lane];
@@ -121,13 +115,13 @@ void EnergyWorks::stage_wall(const ContactView& view, std::uint32_t slot, std::u
   const Vec3 wall_end =
       0.5 * (pose.velocity(half.nearest.point, view.dt) + next.velocity(sight.nearest.point, view.dt));
   const Vec3 wall_spin_end = 0.5 * (pose.spin + next.spin);
-  put(b.normal, k, normal);
-  put(b.half_normal, k, half_normal);
-  put(b.velocity, k,
-      p.velocity - pose.velocity(half.nearest.point, view.dt) + cross(half.distance * p.spin, half_normal));
-  put(b.end_velocity, k, p_end.velocity - wall_end + cross(sight.distance * p_end.spin, normal));
-  put(b.spin, k, p.spin - pose.spin);
-  put(b.end_spin, k, p_end.spin - wall_spin_end);
+  store(b.normal, k, normal);
+  store(b.half_normal, k, half_normal);
+  store(b.velocity, k,
+        p.velocity - pose.velocity(half.nearest.point, view.dt) + cross(half.distance * p.spin, half_normal));
+  store(b.end_velocity, k, p_end.velocity - wall_end + cross(sight.distance * p_end.spin, normal));
+  store(b.spin, k, p.spin - pose.spin);
+  store(b.end_spin, k, p_end.spin - wall_spin_end);
   b.overlap[k] = p.radius - sight.distance;
   b.overlap_before[k] = p.radius - look(view.walls, near, slot, before_at).distance;
   b.radius[k] = b.radius_first[k] = p.radius;
@@ -136,8 +130,8 @@ void EnergyWorks::stage_wall(const ContactView& view, std::uint32_t slot, std::u
   b.shared_spin[k] = 0.5 * dot(p.spin + pose.spin, half_normal);
   b.touching_before[k] = wall_touching_[source] ? 1.0 : 0.0;
   b.touching[k] = near.touching[slot] && !ends_all_ ? 1.0 : 0.0;
-  put(b.before.slide, k, wall_history_[source].slide);
-  put(b.before.roll, k, wall_history_[source].roll);
+  store(b.before.slide, k, wall_history_[source].slide);
+  store(b.before.roll, k, wall_history_[source].roll);
   const Load& load = near.load[slot];
   const Vec3 rolling = load.torque - sight.distance * cross(normal, load.force);
   b.term[static_cast<std::size_t>(EnergyTerm::walls)][k] =

@@ -9,20 +9,14 @@ namespace pulvis {
 namespace {
 
 using kernels::ContactBlock;
-using kernels::Lanes3;
-
-inline void put(Lanes3& lanes, int k, const Vec3& v) {
-  lanes.x[k] = v.x;
-  lanes.y[k] = v.y;
-  lanes.z[k] = v.z;
-}
-inline Vec3 get(const Lanes3& lanes, int k) { return {lanes.x[k], lanes.y[k], lanes.z[k]}; }
+using kernels::load;
+using kernels::store;
 
 void stage_history(ContactBlock& b, int k, std::uint32_t slot, const NearWalls& near) {
   b.slot[k] = slot;
   b.touching[k] = near.touching[slot] ? 1.0 : 0.0;
-  put(b.springs->slide, k, near.history[slot].slide);
-  put(b.springs->roll, k, near.history[slot].roll);
+  store(b.springs->slide, k, near.history[slot].slide);
+  store(b.springs->roll, k, near.history[slot].roll);
   if (!near.memory.used) return;
   const laws::Memory& memory = near.memory.list[slot];
   b.memory->plastic[k] = memory.plastic;
@@ -31,7 +25,7 @@ void stage_history(ContactBlock& b, int k, std::uint32_t slot, const NearWalls& 
 }
 void keep_history(const ContactBlock& b, int k, std::uint32_t slot, NearWalls& near) {
   near.touching[slot] = b.touching[k] > 0.5;
-  near.history[slot] = {get(b.springs->slide, k), get(b.springs->roll, k)};
+  near.history[slot] = {load(b.springs->slide, k), load(b.springs->roll, k)};
   if (near.memory.used)
     near.memory.list[slot] = {b.memory->plastic[k], b.memory->adhesion[k], b.memory->grip[k]};
 }
@@ -61,7 +55,7 @@ void finish_walls(ContactBlock& b, const ContactClass& contact, NearWalls& near,
   for (int k = 0; k < b.count; ++k) {
     const std::uint32_t slot = b.slot[k];
     keep_history(b, k, slot, near);
-    near.load[slot] = {get(b.force, k), get(b.torque_first, k)};
+    near.load[slot] = {load(b.force, k), load(b.torque_first, k)};
   }
   b.count = 0;
 }
@@ -94,11 +88,11 @@ void stage_wall(ContactBlock& b, std::uint32_t slot, const Parcel& p, const Wall
   near.touched_facet[slot] = sight.facet;
   const Vec3 normal = pose.now.turn(sight.offset / sight.distance);
   const WallSight half = look(walls, near, slot, 0.5 * (before_at + at));
-  put(b.normal, k, normal);
-  put(b.half_normal, k, normal_in_the_middle(walls, near, slot, sight, half, pose));
-  put(b.velocity, k, p.velocity - pose.velocity(half.nearest.point, dt));
-  put(b.spin_first, k, p.spin);
-  put(b.spin_second, k, pose.spin);
+  store(b.normal, k, normal);
+  store(b.half_normal, k, normal_in_the_middle(walls, near, slot, sight, half, pose));
+  store(b.velocity, k, p.velocity - pose.velocity(half.nearest.point, dt));
+  store(b.spin_first, k, p.spin);
+  store(b.spin_second, k, pose.spin);
   b.overlap[k] = p.radius - sight.distance;
   b.radius[k] = p.radius;  // a wall counts as flat: R* = R
   b.mass[k] = p.mass;

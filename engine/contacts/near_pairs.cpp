@@ -25,9 +25,8 @@ void NearPairs::rebuild(const Parcels& parcels, const ContactClasses& classes, s
 }
 
 void NearPairs::divide(int threads) {
-  constexpr std::size_t too_few = 256;  // waking a thread costs more than this many parcels
   const std::size_t count = begin.size() - 1;
-  shares_ = count < too_few ? 1 : std::max(threads, 1);
+  shares_ = count < too_few_for_threads ? 1 : std::max(threads, 1);
   divided_.assign(shares_ > 1 ? count : 0, 0);
   if (shares_ == 1) return;
   parallel_parts(shares_, [&](int part) {

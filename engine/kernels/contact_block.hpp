@@ -18,6 +18,14 @@ struct Lanes3 {
   alignas(64) Lane z;
 };
 
+/// One contact's vector, from its lanes and into them.
+PULVIS_INLINE Vec3 load(const Lanes3& lanes, int k) { return {lanes.x[k], lanes.y[k], lanes.z[k]}; }
+PULVIS_INLINE void store(Lanes3& lanes, int k, const Vec3& value) {
+  lanes.x[k] = value.x;
+  lanes.y[k] = value.y;
+  lanes.z[k] = value.z;
+}
+
 /// What the contacts of a block remember; kept from step to step where the kernels use it.
 struct Springs {
   Lanes3 slide, roll;

@@ -12,13 +12,6 @@
 namespace pulvis::kernels {
 namespace PULVIS_ISA {
 
-PULVIS_INLINE Vec3 load(const Lanes3& lanes, int k) { return {lanes.x[k], lanes.y[k], lanes.z[k]}; }
-PULVIS_INLINE void store(Lanes3& lanes, int k, const Vec3& value) {
-  lanes.x[k] = value.x;
-  lanes.y[k] = value.y;
-  lanes.z[k] = value.z;
-}
-
 // --- between the store and the lanes ----------------------------------------------------------------------
 //
 // Records are read and written whole and turned into lanes by 4 x 4 transposes in registers: that moves numbers and

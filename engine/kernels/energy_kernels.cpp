@@ -13,12 +13,6 @@ namespace pulvis::kernels {
 namespace PULVIS_ISA {
 namespace {
 
-PULVIS_INLINE Vec3 load(const Lanes3& lanes, int k) { return {lanes.x[k], lanes.y[k], lanes.z[k]}; }
-PULVIS_INLINE void store(Lanes3& lanes, int k, const Vec3& value) {
-  lanes.x[k] = value.x;
-  lanes.y[k] = value.y;
-  lanes.z[k] = value.z;
-}
 using laws::in_plane;
 
 PULVIS_INLINE double& term(EnergyBlock& b, EnergyTerm which, int k) {

@@ -13,17 +13,15 @@
 namespace pulvis {
 namespace {
 
-constexpr std::uint64_t rebuilds_between_sorts = 32;
 constexpr std::uint64_t steps_between_guards = 64;  // they cost a tenth of a step
-constexpr double steps_between_rebuilds = 25.0;     // what the margins of moving parcels aim at
 
-std::vector<std::uint32_t> same_order(std::size_t count) {
+}  // namespace
+
+std::vector<std::uint32_t> Simulation::same_order(std::size_t count) {
   std::vector<std::uint32_t> index(count);
   std::iota(index.begin(), index.end(), 0u);
   return index;
 }
-
-}  // namespace
 
 State Simulation::initial_state(const Model& model) {
   State state;
@@ -72,8 +70,9 @@ int Simulation::threads() const {
 void Simulation::step(Then then) {
   if (!ahead_) {
     insert_due_parcels();
-    notice_ = begin_step(state_.parcels, beginning(), reference_, margin_, threads());
-    drift_ += model_.dt * drift_velocity_;
+    const StepBeginning first = beginning();
+    notice_ = begin_step(state_.parcels, first, reference_, margin_, threads());
+    drift_ = first.drift;
   }
   ahead_ = false;
   images_.slide = slide_at(state_.step + 1);
@@ -96,7 +95,7 @@ void Simulation::step(Then then) {
   if (energy_) energy_->before_kick(state_.parcels);
   notice_ = sweep({state_.parcels, pairs_, walls_, evaluator_, model_.classes, images_, reference_, margin_},
                   {field_towards(-0.5), model_.dt}, ahead_ ? &next : nullptr);
-  if (ahead_) drift_ += model_.dt * drift_velocity_;
+  if (ahead_) drift_ = next.drift;
   if (energy_) account_energy();
   if (!crossings_.empty()) take_out_crossed();
   if (guarded) require_sound();
@@ -276,220 +275,7 @@ void Simulation::require_nothing_inside(std::size_t body) const {
     }
 }
 
-// --- parcels that leave ----------------------------------------------------------------------------------
-
-void Simulation::take_out_escaped(const StepNotice& notice) {
-  require_finite();
-  std::vector<std::uint32_t> out;
-  for (std::size_t i = 0; i < state_.parcels.size(); ++i) {
-    const Parcel& p = state_.parcels.body[i];
-    const Vec3 &x = p.position, &low = model_.domain.min, &high = model_.domain.max;
-    if (notice.too_fast && norm(p.velocity - model_.domain.flow_velocity(x)) * model_.dt > 0.5 * p.radius)
-      fail_at("a parcel moved more than half its radius in one time step",
-              "lower time.fraction, or raise the modulus if parcels overlap deeply; see `pulvis check`", p);
-    if (x.x < low.x || x.x > high.x || x.y < low.y || x.y > high.y || x.z < low.z || x.z > high.z)
-      out.push_back(static_cast<std::uint32_t>(i));
-  }
-  for (const std::uint32_t i : out) {
-    const Parcel& p = state_.parcels.body[i];
-    state_.escapes.push_back({p.id, time() + model_.dt, p.position, p.velocity, "domain"});
-  }
-  remove(out, Velocities::of_middle);
-}
-
-void Simulation::take_out_crossed() {
-  std::vector<std::uint32_t> out;
-  for (const Crossing& c : crossings_) {
-    if (!out.empty() && out.back() == c.parcel) continue;
-    const Parcel& p = state_.parcels.body[c.parcel];
-    state_.escapes.push_back({p.id, time(), p.position, p.velocity, model_.walls.surfaces[c.surface].name});
-    out.push_back(c.parcel);
-  }
-  crossings_.clear();
-  remove(out, Velocities::of_end);
-}
-
-void Simulation::remove(std::vector<std::uint32_t>& indices, Velocities velocities) {
-  if (indices.empty()) return;
-  const double stored_before = energy_ ? energy_->stored(view()) : 0.0;
-  // In order of ids, so that the sum of masses does not depend on how the store is sorted.
-  std::sort(indices.begin(), indices.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return state_.parcels.body[a].id < state_.parcels.body[b].id;
-  });
-  std::sort(state_.escapes.end() - static_cast<std::ptrdiff_t>(indices.size()), state_.escapes.end(),
-            [](const Escape& a, const Escape& b) { return a.id < b.id; });
-  std::vector<bool> gone(state_.parcels.size(), false);
-  for (const std::uint32_t i : indices) {
-    gone[i] = true;
-    ++state_.ledger.escaped;
-    state_.ledger.escaped_mass += state_.parcels.body[i].mass;
-    account_leaving(state_.parcels.body[i], state_.parcels.load[i], velocities);
-  }
-  const TouchingList old_pairs = pairs_.pack(state_.parcels, threads()), old_walls = walls_.pack();
-  std::vector<std::uint32_t> old_index;
-  Parcels kept;
-  for (std::size_t i = 0; i < gone.size(); ++i) {
-    if (gone[i]) continue;
-    kept.body.push_back(state_.parcels.body[i]);
-    kept.load.push_back(state_.parcels.load[i]);
-    old_index.push_back(static_cast<std::uint32_t>(i));
-  }
-  state_.parcels = std::move(kept);
-  const NearPairs pairs_before = pairs_;
-  const NearWalls walls_before = walls_;
-  const auto stood_at = rebuild(old_pairs, old_walls, std::move(old_index));
-  pairs_.take_over_loads(pairs_before, stood_at);
-  walls_.take_over_loads(walls_before, stood_at);
-  if (energy_) state_.energy.removed += stored_before - energy_->stored(view());
-}
-
-// --- near lists ------------------------------------------------------------------------------------------
-
-/// The velocity most of the powder has, by each component: the bed in a shaken die moves as one, and what all do
-/// together brings nobody nearer to another.
-Vec3 Simulation::common_velocity() const {
-  constexpr std::size_t enough = 255;
-  const std::size_t count = state_.parcels.size(), stride = 1 + count / enough;
-  Vec3 common;
-  std::vector<double> sample;
-  for (int axis = 0; axis < 3; ++axis) {
-    sample.clear();
-    for (std::size_t i = 0; i < count; i += stride) sample.push_back(state_.parcels.body[i].velocity[axis]);
-    if (sample.empty()) continue;
-    const auto middle = sample.begin() + static_cast<std::ptrdiff_t>(sample.size() / 2);
-    std::nth_element(sample.begin(), middle, sample.end());
-    common[axis] = *middle;
-  }
-  return common;
-}
-
-void Simulation::choose_margins() {
-  // Fast parcels get wide margins and slow ones narrow ones: in a filling die the dense bed is slow and the
-  // fast rain is dilute, so lists stay short where there are many parcels.
-  // No margin is less than the way of the next step (up to 0.5 radius): contacts must end by their law only.
-  const double least = 0.03 * model_.skin, most = greatest(0.6 * model_.skin, 0.5);
-  drift_ = {};
-  drift_velocity_ = model_.domain.shear.any() ? Vec3{} : common_velocity();
-  margin_.resize(state_.parcels.size());
-  for (std::size_t i = 0; i < margin_.size(); ++i) {
-    const Parcel& p = state_.parcels.body[i];
-    const Vec3 own = p.velocity - drift_velocity_ - model_.domain.flow_velocity(p.position);
-    const double wish = (norm(own) + 0.5 * magnitude(model_.domain.shear.rate) * p.radius) * model_.dt *
-                        steps_between_rebuilds / p.radius;
-    margin_[i] = p.radius * std::clamp(1.2 * wish + least, least, most);
-  }
-  body_margin_.resize(poses_.size());
-  for (std::size_t b = 0; b < poses_.size(); ++b)
-    body_margin_[b] =
-        least * model_.smallest_radius + 1.2 * speed_against_drift(b) * model_.dt * steps_between_rebuilds;
-}
-
-double Simulation::speed_against_drift(std::size_t body) const {
-  double speed = 0.0;
-  for (const Vec3& corner : body_corners_[body])
-    speed = greatest(speed, norm(poses_[body].velocity(corner, model_.dt) - drift_velocity_));
-  return speed;
-}
-
-void Simulation::find_body_corners() {
-  for (std::uint32_t b = 0; b < poses_.size(); ++b) {
-    Vec3 low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
-    bool bounded = true;
-    for (const Surface& s : model_.walls.surfaces)
-      if (s.body == b && s.kind != Surface::Kind::patch) bounded = include(s, low, high) && bounded;
-    for (const FacetedWall& mesh : model_.walls.meshes)
-      if (model_.walls.surfaces[mesh.first_surface].body == b) mesh.include(low, high);
-    if (!bounded) {  // what lies in the domain now may have come from beyond it
-      low = model_.domain.min - model_.domain.extent();
-      high = model_.domain.max + model_.domain.extent();
-    }
-    std::array<Vec3, 8> corners;
-    for (unsigned k = 0; k < 8; ++k)
-      corners[k] = {k & 1u ? high.x : low.x, k & 2u ? high.y : low.y, k & 4u ? high.z : low.z};
-    body_corners_.push_back(corners);
-  }
-}
-
-bool Simulation::a_body_left_its_margin() const {
-  // A displacement is linear in the point, so its largest size lies at a corner.
-  for (std::size_t b = 0; b < poses_.size(); ++b)
-    for (const Vec3& corner : body_corners_[b])
-      if (norm(poses_[b].now(corner) - body_reference_[b](corner) - drift_) > body_margin_[b]) return true;
-  return false;
-}
-
-void Simulation::sort_along_space(std::vector<std::uint32_t>& old_index) {
-  // Morton order of cells two parcels wide: neighbours in space become neighbours in memory.
-  const double edge = 4.0 * model_.largest_radius;
-  const auto spread = [](std::uint64_t v) {
-    v &= 0x1fffff;
-    v = (v | v << 32) & 0x1f00000000ffff;
-    v = (v | v << 16) & 0x1f0000ff0000ff;
-    v = (v | v << 8) & 0x100f00f00f00f00f;
-    v = (v | v << 4) & 0x10c30c30c30c30c3;
-    return (v | v << 2) & 0x1249249249249249;
-  };
-  const std::size_t count = state_.parcels.size();
-  std::vector<std::pair<std::uint64_t, std::uint32_t>> key(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const Vec3 d = (state_.parcels.body[i].position - model_.domain.min) / edge;
-    const auto at = [](double x) { return static_cast<std::uint64_t>(std::clamp(x, 0.0, 2e6)); };
-    key[i] = {spread(at(d.x)) | spread(at(d.y)) << 1 | spread(at(d.z)) << 2, static_cast<std::uint32_t>(i)};
-  }
-  std::sort(key.begin(), key.end());
-  Parcels sorted;
-  sorted.body.resize(count);
-  sorted.load.resize(count);
-  std::vector<std::uint32_t> index(count);
-  for (std::size_t k = 0; k < count; ++k) {
-    sorted.body[k] = state_.parcels.body[key[k].second];
-    sorted.load[k] = state_.parcels.load[key[k].second];
-    index[k] = old_index[key[k].second];
-  }
-  state_.parcels = std::move(sorted);
-  old_index = std::move(index);
-}
-
-void Simulation::rebuild() {
-  const TouchingList old_pairs = pairs_.pack(state_.parcels, threads()), old_walls = walls_.pack();
-  rebuild(old_pairs, old_walls, same_order(state_.parcels.size()));
-}
-
-std::vector<std::uint32_t> Simulation::rebuild(const TouchingList& old_pairs, const TouchingList& old_walls,
-                                               std::vector<std::uint32_t> old_index) {
-  if (rebuilds_++ % rebuilds_between_sorts == 0) sort_along_space(old_index);
-  choose_margins();
-  const std::size_t count = state_.parcels.size();
-  reference_.resize(count);
-  for (std::size_t i = 0; i < count; ++i) reference_[i] = state_.parcels.body[i].position;
-  body_reference_.resize(poses_.size());
-  for (std::size_t b = 0; b < poses_.size(); ++b) body_reference_[b] = poses_[b].now;
-
-  pairs_.rebuild(state_.parcels, model_.classes, margin_, reach_, model_.domain, images_.slide, threads());
-  rebuilt_at_ = state_.step;
-  walls_.rebuild(state_.parcels, model_.walls, poses_, margin_, body_margin_, reach_, threads());
-  const std::size_t pairs_found = pairs_.restore(old_pairs, old_index, state_.parcels, threads());
-  const std::size_t walls_found = walls_.restore(old_walls, old_index);
-  const std::size_t found = pairs_found + (walls_may_be_left_ ? old_walls.size() : walls_found);
-
-  sort_wall_slots();
-
-  // Contacts may end only by separation or with a parcel that was taken out.
-  if (old_pairs.begin.size() == count + 1 && found != old_pairs.size() + old_walls.size())
-    throw Failure(Exit::internal_check,
-                  fmt::format("a rebuild of the neighbour lists kept {} of {} contacts at t = {:.6g} s",
-                              found, old_pairs.size() + old_walls.size(), time()));
-  return old_index;
-}
-
 // --- what others may ask ---------------------------------------------------------------------------------
-
-void Simulation::sort_wall_slots() {
-  wall_slots_by_id_ = same_order(walls_.slots());
-  std::stable_sort(wall_slots_by_id_.begin(), wall_slots_by_id_.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return state_.parcels.body[walls_.parcel[a]].id < state_.parcels.body[walls_.parcel[b]].id;
-  });
-}
 
 void Simulation::require_whole_step() const {
   if (ahead_) throw Failure(Exit::internal_check, "a state was asked for in the middle of a step");

@@ -126,6 +126,8 @@ class Simulation {
   std::vector<std::uint32_t> rebuild(const TouchingList& old_pairs, const TouchingList& old_walls,
                                      std::vector<std::uint32_t> old_index);
   void rebuild();
+  /// 0, 1, 2... : the index of each parcel where the store keeps its order.
+  static std::vector<std::uint32_t> same_order(std::size_t count);
   void choose_margins();
   bool a_body_left_its_margin() const;
   void sort_along_space(std::vector<std::uint32_t>& old_index);

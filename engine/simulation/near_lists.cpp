@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+// When the near lists are made anew, and how: margins, the order of the store, contacts carried over.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "engine/base/failure.hpp"
+#include "engine/simulation/simulation.hpp"
+
+namespace pulvis {
+namespace {
+
+constexpr std::uint64_t rebuilds_between_sorts = 32;
+constexpr double steps_between_rebuilds = 25.0;  // what the margins of moving parcels aim at
+
+}  // namespace
+
+/// The velocity most of the powder has, by each component: the bed in a shaken die moves as one, and what all do
+/// together brings nobody nearer to another.
+Vec3 Simulation::common_velocity() const {
+  constexpr std::size_t enough = 255;
+  const std::size_t count = state_.parcels.size(), stride = 1 + count / enough;
+  Vec3 common;
+  std::vector<double> sample;
+  for (int axis = 0; axis < 3; ++axis) {
+    sample.clear();
+    for (std::size_t i = 0; i < count; i += stride) sample.push_back(state_.parcels.body[i].velocity[axis]);
+    if (sample.empty()) continue;
+    const auto middle = sample.begin() + static_cast<std::ptrdiff_t>(sample.size() / 2);
+    std::nth_element(sample.begin(), middle, sample.end());
+    common[axis] = *middle;
+  }
+  return common;
+}
+
+void Simulation::choose_margins() {
+  // Fast parcels get wide margins and slow ones narrow ones: in a filling die the dense bed is slow and the
+  // fast rain is dilute, so lists stay short where there are many parcels.
+  // No margin is less than the way of the next step (up to 0.5 radius): contacts must end by their law only.
+  const double least = 0.03 * model_.skin, most = greatest(0.6 * model_.skin, 0.5);
+  drift_ = {};
+  drift_velocity_ = model_.domain.shear.any() ? Vec3{} : common_velocity();
+  margin_.resize(state_.parcels.size());
+  for (std::size_t i = 0; i < margin_.size(); ++i) {
+    const Parcel& p = state_.parcels.body[i];
+    const Vec3 own = p.velocity - drift_velocity_ - model_.domain.flow_velocity(p.position);
+    const double wish = (norm(own) + 0.5 * magnitude(model_.domain.shear.rate) * p.radius) * model_.dt *
+                        steps_between_rebuilds / p.radius;
+    margin_[i] = p.radius * std::clamp(1.2 * wish + least, least, most);
+  }
+  body_margin_.resize(poses_.size());
+  for (std::size_t b = 0; b < poses_.size(); ++b)
+    body_margin_[b] =
+        least * model_.smallest_radius + 1.2 * speed_against_drift(b) * model_.dt * steps_between_rebuilds;
+}
+
+double Simulation::speed_against_drift(std::size_t body) const {
+  double speed = 0.0;
+  for (const Vec3& corner : body_corners_[body])
+    speed = greatest(speed, norm(poses_[body].velocity(corner, model_.dt) - drift_velocity_));
+  return speed;
+}
+
+void Simulation::find_body_corners() {
+  for (std::uint32_t b = 0; b < poses_.size(); ++b) {
+    Vec3 low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
+    bool bounded = true;
+    for (const Surface& s : model_.walls.surfaces)
+      if (s.body == b && s.kind != Surface::Kind::patch) bounded = include(s, low, high) && bounded;
+    for (const FacetedWall& mesh : model_.walls.meshes)
+      if (model_.walls.surfaces[mesh.first_surface].body == b) mesh.include(low, high);
+    if (!bounded) {  // what lies in the domain now may have come from beyond it
+      low = model_.domain.min - model_.domain.extent();
+      high = model_.domain.max + model_.domain.extent();
+    }
+    std::array<Vec3, 8> corners;
+    for (unsigned k = 0; k < 8; ++k)
+      corners[k] = {k & 1u ? high.x : low.x, k & 2u ? high.y : low.y, k & 4u ? high.z : low.z};
+    body_corners_.push_back(corners);
+  }
+}
+
+bool Simulation::a_body_left_its_margin() const {
+  // A displacement is linear in the point, so its largest size lies at a corner.
+  for (std::size_t b = 0; b < poses_.size(); ++b)
+    for (const Vec3& corner : body_corners_[b])
+      if (norm(poses_[b].now(corner) - body_reference_[b](corner) - drift_) > body_margin_[b]) return true;
+  return false;
+}
+
+void Simulation::sort_along_space(std::vector<std::uint32_t>& old_index) {
+  // Morton order of cells two parcels wide: neighbours in space become neighbours in memory.
+  const double edge = 4.0 * model_.largest_radius;
+  const auto spread = [](std::uint64_t v) {
+    v &= 0x1fffff;
+    v = (v | v << 32) & 0x1f00000000ffff;
+    v = (v | v << 16) & 0x1f0000ff0000ff;
+    v = (v | v << 8) & 0x100f00f00f00f00f;
+    v = (v | v << 4) & 0x10c30c30c30c30c3;
+    return (v | v << 2) & 0x1249249249249249;
+  };
+  const std::size_t count = state_.parcels.size();
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> key(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vec3 d = (state_.parcels.body[i].position - model_.domain.min) / edge;
+    const auto at = [](double x) { return static_cast<std::uint64_t>(std::clamp(x, 0.0, 2e6)); };
+    key[i] = {spread(at(d.x)) | spread(at(d.y)) << 1 | spread(at(d.z)) << 2, static_cast<std::uint32_t>(i)};
+  }
+  std::sort(key.begin(), key.end());
+  Parcels sorted;
+  sorted.body.resize(count);
+  sorted.load.resize(count);
+  std::vector<std::uint32_t> index(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    sorted.body[k] = state_.parcels.body[key[k].second];
+    sorted.load[k] = state_.parcels.load[key[k].second];
+    index[k] = old_index[key[k].second];
+  }
+  state_.parcels = std::move(sorted);
+  old_index = std::move(index);
+}
+
+void Simulation::rebuild() {
+  const TouchingList old_pairs = pairs_.pack(state_.parcels, threads()), old_walls = walls_.pack();
+  rebuild(old_pairs, old_walls, same_order(state_.parcels.size()));
+}
+
+std::vector<std::uint32_t> Simulation::rebuild(const TouchingList& old_pairs, const TouchingList& old_walls,
+                                               std::vector<std::uint32_t> old_index) {
+  if (rebuilds_++ % rebuilds_between_sorts == 0) sort_along_space(old_index);
+  choose_margins();
+  const std::size_t count = state_.parcels.size();
+  reference_.resize(count);
+  for (std::size_t i = 0; i < count; ++i) reference_[i] = state_.parcels.body[i].position;
+  body_reference_.resize(poses_.size());
+  for (std::size_t b = 0; b < poses_.size(); ++b) body_reference_[b] = poses_[b].now;
+
+  pairs_.rebuild(state_.parcels, model_.classes, margin_, reach_, model_.domain, images_.slide, threads());
+  rebuilt_at_ = state_.step;
+  walls_.rebuild(state_.parcels, model_.walls, poses_, margin_, body_margin_, reach_, threads());
+  const std::size_t pairs_found = pairs_.restore(old_pairs, old_index, state_.parcels, threads());
+  const std::size_t walls_found = walls_.restore(old_walls, old_index);
+  const std::size_t found = pairs_found + (walls_may_be_left_ ? old_walls.size() : walls_found);
+
+  sort_wall_slots();
+
+  // Contacts may end only by separation or with a parcel that was taken out.
+  if (old_pairs.begin.size() == count + 1 && found != old_pairs.size() + old_walls.size())
+    throw Failure(Exit::internal_check,
+                  fmt::format("a rebuild of the neighbour lists kept {} of {} contacts at t = {:.6g} s",
+                              found, old_pairs.size() + old_walls.size(), time()));
+  return old_index;
+}
+
+void Simulation::sort_wall_slots() {
+  wall_slots_by_id_ = same_order(walls_.slots());
+  std::stable_sort(wall_slots_by_id_.begin(), wall_slots_by_id_.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return state_.parcels.body[walls_.parcel[a]].id < state_.parcels.body[walls_.parcel[b]].id;
+  });
+}
+
+}  // namespace pulvis
