@@ -71,6 +71,8 @@ std::vector<Parcel> draw_pack(const SourceModel& model, SourceState& state, cons
 /// Of a domain that is periodic all around and in which nothing is: parcels throughout, dense but without order.
 std::vector<Parcel> draw_dense(const SourceModel& model, SourceState& state, const Dice& dice,
                                const Surroundings& around);
+/// A rain looks for room at some steps only.
+bool rain_looks_at(const SourceModel& model, const SourceState& state, std::uint64_t step, double dt);
 std::vector<Parcel> draw_rain(const SourceModel& model, SourceState& state, const Dice& dice,
                               std::uint64_t step, double dt, const Surroundings& around);
 

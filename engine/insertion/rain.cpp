@@ -27,10 +27,14 @@ std::uint64_t rain_interval(const SourceModel& m, double dt) {
   return static_cast<std::uint64_t>(std::clamp(diameter / (speed * dt), 1.0, 1e6));
 }
 
+bool rain_looks_at(const SourceModel& m, const SourceState& state, std::uint64_t step, double dt) {
+  return (step - state.opened) % rain_interval(m, dt) == 0;
+}
+
 std::vector<Parcel> draw_rain(const SourceModel& m, SourceState& state, const Dice& dice, std::uint64_t step,
                               double dt, const Surroundings& around) {
+  if (!rain_looks_at(m, state, step, dt)) return {};
   const std::uint64_t interval = rain_interval(m, dt), since = step - state.opened;
-  if (since % interval != 0) return {};
   const double due = state.mass_at_opening + m.rate * static_cast<double>(since + interval) * dt;
   double diameter = next_diameter(m, state, dice);
   std::vector<Parcel> placed;

@@ -119,7 +119,7 @@ std::vector<Parcel> draw_parcels(const SourceModel& model, SourceState& state, s
 
 bool is_due(const SourceModel& model, const SourceState& state, std::uint64_t step, double dt) {
   if (!state.open || state.done) return false;
-  return model.kind != SourceModel::Kind::rain || (step - state.opened) % rain_interval(model, dt) == 0;
+  return model.kind != SourceModel::Kind::rain || rain_looks_at(model, state, step, dt);
 }
 
 }  // namespace pulvis

@@ -134,14 +134,7 @@ TEST(StateHash, IsTheSameForAnyOrderOfTheStore) {
 /// The scene with a law whose contacts remember more than springs, and bridges that reach across gaps beside it.
 Simulation remembering_start(int threads, double skin, const char* normal, const char* cohesion) {
   Model m = sticky_model(skin);
-  Stuff stuff;
-  stuff.young_modulus = 1e6;
-  laws::MaterialPair pair = material_pair(stuff, stuff);
-  pair.work_of_adhesion = 0.05;
-  pair.unloading_ratio = 4.0;
-  pair.surface_tension = 0.05;
-  pair.liquid_content = 1e-3;
-  pair.liquid_viscosity = 1e-3;
+  laws::MaterialPair pair = remembering_pair();
   LawParts parts;
   parts.normal = normal;
   parts.sliding = "rescaled_spring";

@@ -26,14 +26,7 @@ struct Choice {
 
 /// A fully periodic box of 8 mm, sheared at 60 per second: faces pass each other at 0.48 m/s.
 Model sheared_model(const Choice& choice, double skin = 1.0) {
-  Stuff stuff;
-  stuff.young_modulus = 1e6;
-  laws::MaterialPair pair = material_pair(stuff, stuff);
-  pair.work_of_adhesion = 0.05;
-  pair.unloading_ratio = 4.0;
-  pair.surface_tension = 0.05;
-  pair.liquid_content = 1e-3;
-  pair.liquid_viscosity = 1e-3;
+  laws::MaterialPair pair = remembering_pair();
   pair.normal_stiffness = 300.0;
   pair.tangential_ratio = 2.0 / 7.0;
   LawParts parts;

@@ -48,6 +48,19 @@ inline Model sticky_model(double skin = 1.0) {
   return m;
 }
 
+/// Its material for laws that remember more than springs, pull across gaps or are wet.
+inline laws::MaterialPair remembering_pair() {
+  Stuff stuff;
+  stuff.young_modulus = 1e6;
+  laws::MaterialPair pair = material_pair(stuff, stuff);
+  pair.work_of_adhesion = 0.05;
+  pair.unloading_ratio = 4.0;
+  pair.surface_tension = 0.05;
+  pair.liquid_content = 1e-3;
+  pair.liquid_viscosity = 1e-3;
+  return pair;
+}
+
 inline std::vector<Parcel> sticky_parcels() {
   std::vector<Parcel> list;
   for (std::uint32_t k = 0; k < 400; ++k) {
