@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <string_view>
 
+#include "apps/options.hpp"
 #include "apps/report_command.hpp"
 #include "apps/study_command.hpp"
 #include "apps/sweep_command.hpp"
@@ -30,8 +31,6 @@ extern "C" void on_interrupt(int signal) {
   pulvis::ask_to_stop(signal);
   std::signal(signal, SIG_DFL);
 }
-
-extern "C" void on_leave(int signal) { pulvis::ask_to_stop(signal); }
 
 Exit check(const std::string& file, const std::vector<std::string>& settings) {
   const pulvis::Case c = pulvis::read_case(file, overrides_from(settings));
@@ -201,8 +200,7 @@ int main(int argc, char** argv) {
     std::signal(SIGINT, on_interrupt);
     Exit result = Exit::ok;
     if (*run) {
-      std::signal(SIGTERM, on_leave);
-      std::signal(SIGUSR1, on_leave);
+      pulvis::stop_on_batch_signals();
       request.overrides = overrides_from(settings);
       request.make_page = pulvis::make_report;
       result = pulvis::run_case(request);

@@ -3,24 +3,13 @@
 
 #include <fmt/format.h>
 
-#include <csignal>
 #include <string>
 #include <vector>
 
-#include "run/stop_request.hpp"
+#include "apps/options.hpp"
 #include "study/conduct.hpp"
 
 namespace pulvis {
-namespace {
-
-extern "C" void on_study_stop(int signal) { ask_to_stop(signal); }
-
-template <typename Value>
-Value value_of(const CLI::App& command, const char* option) {
-  return command.count(option) > 0 ? command.get_option(option)->as<Value>() : Value{};
-}
-
-}  // namespace
 
 void add_study_command(CLI::App& app) {
   auto* study = app.add_subcommand("study", "find out how much a coarser powder changes");
@@ -58,8 +47,7 @@ void add_study_command(CLI::App& app) {
 std::optional<Exit> run_study_command(const CLI::App& app) {
   const CLI::App* command = app.get_subcommand("study");
   if (!*command) return {};
-  std::signal(SIGTERM, on_study_stop);
-  std::signal(SIGUSR1, on_study_stop);
+  stop_on_batch_signals();
   study::Request request;
   request.name = value_of<std::string>(*command, "NAME");
   request.options.case_file = value_of<std::string>(*command, "CASE");

@@ -1,24 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "apps/sweep_command.hpp"
 
-#include <csignal>
 #include <string>
 #include <vector>
 
-#include "run/stop_request.hpp"
+#include "apps/options.hpp"
 #include "sweep/sweep.hpp"
 
 namespace pulvis {
-namespace {
-
-extern "C" void on_stop(int signal) { ask_to_stop(signal); }
-
-template <typename Value>
-Value value_of(const CLI::App& command, const char* option) {
-  return command.count(option) > 0 ? command.get_option(option)->as<Value>() : Value{};
-}
-
-}  // namespace
 
 void add_sweep_command(CLI::App& app) {
   auto* sweep = app.add_subcommand("sweep", "run cases with several values and seeds side by side");
@@ -56,8 +45,7 @@ void add_sweep_command(CLI::App& app) {
 std::optional<Exit> run_sweep_command(const CLI::App& app) {
   const CLI::App* command = app.get_subcommand("sweep");
   if (!*command) return {};
-  std::signal(SIGTERM, on_stop);
-  std::signal(SIGUSR1, on_stop);
+  stop_on_batch_signals();
   sweep::Request request;
   request.choice.cases = value_of<std::vector<std::string>>(*command, "CASE");
   for (const std::string& text : value_of<std::vector<std::string>>(*command, "--vary"))

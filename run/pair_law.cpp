@@ -29,11 +29,7 @@ laws::Choices law_choices(const ContactChoice& c) {
   return choices;
 }
 
-laws::Similarity similarity(const ContactChoice& c) {
-  return c.similarity == "bond"   ? laws::Similarity::bond
-         : c.similarity == "none" ? laws::Similarity::none
-                                  : laws::Similarity::stress;
-}
+laws::Similarity similarity(const ContactChoice& c) { return laws::similarity_named(c.similarity); }
 
 laws::Law named_law(const ContactChoice& c) { return laws::find_law(names_of(c)); }
 

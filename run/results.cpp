@@ -222,8 +222,8 @@ void Results::log(const Simulation& simulation, const std::string& phase) {
                              state.ledger.inserted_mass,
                              static_cast<std::int64_t>(state.ledger.escaped)};
   if (const auto energy = simulation.energy())
-    cells.insert(cells.end(), {energy->potential, energy->stored(), energy->lost(),
-                               energy->brought_in() + energy->body_forces, energy->closing_error()});
+    cells.insert(cells.end(), {energy->potential, energy->stored(), energy->lost(), energy->brought_in(),
+                               energy->closing_error()});
   log_.add(cells);
 }
 

@@ -21,8 +21,6 @@ namespace {
 
 const std::vector<double> standard_factors{85, 120, 170}, quick_factors{120, 170};
 constexpr double gravity = 9.81;
-constexpr double side_layer =
-    2e-3;  // m: left out at the floor and below the surface; 2.6 of the coarsest parcels
 
 // Without cohesion there is nothing on which similarities could differ, and the number of SJKR2 is a stress: under
 // stress similarity it stays as it is.
@@ -47,6 +45,10 @@ std::vector<Point> points(const Options& options) {
                                                          : standard_factors;
   std::sort(factors.begin(), factors.end());
   const int seeds = options.seeds > 0 ? options.seeds : options.quick ? 2 : 4;  // of the finest factor
+  if (factors.size() < 2 || seeds < 2)
+    throw Failure(Exit::usage,
+                  "the study \"box-filling\" compares factors beyond the scatter of seeds: give at least "
+                  "two --factors and two --seeds");
   std::vector<Point> list;
   for (const double factor : factors)
     for (int seed = 1; seed <= seeds_at(factor, factors.front(), seeds); ++seed)
@@ -125,7 +127,7 @@ Json compute(const Work& work) {
   double volume = 0.0, porosity = 0.0, mass = 0.0, coordination = 0.0;
   for (const Json& l : layers) {
     const double low = l.at("low_m"), high = l.at("high_m"), of_layer = l.at("mass_kg");
-    if (low < side_layer - 1e-9 || high > surface - side_layer) continue;
+    if (low < end_layer - 1e-9 || high > surface - end_layer) continue;
     volume += high - low, porosity += (high - low) * l.at("porosity").get<double>();
     mass += of_layer, coordination += of_layer * l.at("coordination").get<double>();
   }

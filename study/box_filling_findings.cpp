@@ -17,7 +17,6 @@ namespace {
 using validation::Compare;
 using validation::Findings;
 
-constexpr double floor_layer = 2e-3;  // m: as in box_filling.cpp
 constexpr double strong_load = 3.0;  // overburden over the Rumpf strength from which on the profile is judged
 
 /// All points of a study, to be asked by law, similarity and factor.
@@ -90,7 +89,7 @@ void judge_similarities(const Beds& beds, Findings& f) {
 std::optional<double> porosity_under(const Json& bed, double overburden) {
   const Json* above = nullptr;
   for (auto layer = bed.at("layers").rbegin(); layer != bed.at("layers").rend(); ++layer) {
-    if (layer->at("low_m").get<double>() < floor_layer - 1e-9) break;
+    if (layer->at("low_m").get<double>() < end_layer - 1e-9) break;
     const double here = layer->at("overburden_Pa");
     if (here >= overburden) {
       if (above == nullptr) return {};

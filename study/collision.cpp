@@ -48,10 +48,7 @@ laws::MaterialPair material_of(const Json& settings) {
 }
 
 laws::Similarity similarity_of(const Json& settings) {
-  const std::string name = settings.at("similarity");
-  return name == "bond"   ? laws::Similarity::bond
-         : name == "none" ? laws::Similarity::none
-                          : laws::Similarity::stress;
+  return laws::similarity_named(settings.at("similarity").get<std::string>());
 }
 
 laws::Law law_of(const Json& settings) {
@@ -116,10 +113,7 @@ std::vector<Point> points(const Options& options) {
     const laws::Law law = laws::find_law(normal, "restitution", "none", "none", cohesion);
     for (const double young : {soft, stiff})
       for (const char* similarity : {"stress", "bond", "none"}) {
-        if (!law.why_not(similarity == std::string("bond") ? laws::Similarity::bond
-                                                           : laws::Similarity::stress)
-                 .empty())
-          continue;
+        if (!law.why_not(laws::similarity_named(similarity)).empty()) continue;
         list.push_back(
             point(fmt::format("{}-{}-{}-{}", normal, cohesion, young == soft ? "soft" : "stiff", similarity),
                   normal, cohesion, young, similarity, factors));

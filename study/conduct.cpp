@@ -52,7 +52,9 @@ std::vector<Point> points_of(const Study& study, const Options& options) {
   std::set<std::string> names;
   for (const Point& p : points)
     if (!names.insert(p.name).second)
-      throw Failure(Exit::internal_check, fmt::format("the study {} has two points {}", study.name, p.name));
+      throw Failure(Exit::usage,
+                    fmt::format("the study \"{}\" would have two points {}: give each factor once",
+                                study.name, p.name));
   return points;
 }
 

@@ -4,9 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <map>
-#include <set>
 
 #include "case/reader.hpp"
 #include "engine/base/failure.hpp"

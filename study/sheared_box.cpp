@@ -94,9 +94,10 @@ Json compute(const Work& work) {
   const double scale = stress_scale(c);
   Means means;
   for (std::uint64_t step = 0; step < before + steps; ++step) {
-    simulation.step();
+    const bool looks = step >= before && step % every == 0;
+    simulation.step(looks ? Simulation::Then::look : Simulation::Then::go_on);
     if (signal_to_stop() != 0) throw Stopped{};
-    if (step < before || step % every != 0) continue;
+    if (!looks) continue;
     const ShearedBox box = look_at_sheared_box(simulation);
     means.add((step - before) * blocks / steps,
               {box.stress.pressure() / scale, box.shear_stress / scale, box.stress.kinetic_pressure() / scale,

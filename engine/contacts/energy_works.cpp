@@ -170,7 +170,7 @@ void EnergyWorks::flush(const ContactView& view, std::size_t c, bool walls, Scra
   b.count = 0;
 }
 
-kernels::EnergySums EnergyWorks::sum(const ContactView& view) {
+kernels::EnergySums EnergyWorks::after_step(const ContactView& view) {
   for (Scratch& s : scratch_) s.sums = {};
   parallel_shares(view.near_pairs.slots(), view.threads, [&](std::size_t from, std::size_t to, int thread) {
     pairs(view, from, to, scratch_[static_cast<std::size_t>(thread)]);
@@ -185,8 +185,6 @@ kernels::EnergySums EnergyWorks::sum(const ContactView& view) {
   return all;
 }
 
-kernels::EnergySums EnergyWorks::after_step(const ContactView& view) { return sum(view); }
-
 /// As if all contacts ended now otherwise than by their laws, in a step in which nothing moves.
 double EnergyWorks::stored(const ContactView& view) {
   before_contacts(view.near_pairs, view.near_walls);
@@ -197,7 +195,7 @@ double EnergyWorks::stored(const ContactView& view) {
   std::vector<Pose> resting(view.poses.begin(), view.poses.end());
   for (Pose& pose : resting) pose.before = pose.now, pose.spin = {}, pose.turns = false;
   now.poses = now.next_poses = resting;
-  const kernels::EnergySums sums = sum(now);
+  const kernels::EnergySums sums = after_step(now);
   ends_all_ = false;
   const auto value = [&](EnergyTerm t) { return grid_.value(sums.of[static_cast<std::size_t>(t)]); };
   return value(EnergyTerm::forgotten_springs) + value(EnergyTerm::separation) -

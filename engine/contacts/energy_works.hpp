@@ -55,7 +55,6 @@ class EnergyWorks {
                   kernels::EnergyBlock& b) const;
   void find_sources(const ContactView& view, std::uint32_t begin, std::uint32_t end, Scratch& scratch) const;
   void flush(const ContactView& view, std::size_t contact_class, bool walls, Scratch& scratch) const;
-  kernels::EnergySums sum(const ContactView& view);
 
   std::vector<kernels::EnergyKernel> kernel_;
   SumGrid grid_;

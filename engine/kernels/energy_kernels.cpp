@@ -187,7 +187,7 @@ PULVIS_INLINE void account_sliding(EnergyBlock& b, int k, const typename Part::P
     const Vec3 now = (sense * as_force) * spring;
     const laws::SpringStep step = laws::spring_step(
         acting * carried, keeping * carried, keeping * carried + moved, now, stiffness_before, stiffness);
-    const double half_before = select(stiffness_before > 0.0, 0.5 / greatest(stiffness_before, 1e-300), 0.0);
+    const double half_before = laws::half_compliance(stiffness_before);
     term(b, EnergyTerm::sliding_spring, k) = held * step.stored;
     term(b, EnergyTerm::sliding, k) = held * step.slipped;
     term(b, EnergyTerm::sliding_stiffness, k) = held * step.stiffened;
@@ -223,8 +223,7 @@ PULVIS_INLINE void account_rolling(EnergyBlock& b, int k, const typename Rolling
     term(b, EnergyTerm::twisting, k) = held * step.slipped;
     term(b, EnergyTerm::twisting_dashpot, k) = -held * (twist - spring) * dot(end_spin, touch.normal) * dt;
     stiffened = step.stiffened;
-    forgotten =
-        select(stiffness_before > 0.0, 0.5 / greatest(stiffness_before, 1e-300), 0.0) * twisted * twisted;
+    forgotten = laws::half_compliance(stiffness_before) * twisted * twisted;
   }
   Vec3 spring = old;
   const Vec3 torque = Rolling::roll(touch, size, limit, rolling, spring);
@@ -241,8 +240,7 @@ PULVIS_INLINE void account_rolling(EnergyBlock& b, int k, const typename Rolling
     term(b, EnergyTerm::rolling, k) = held * step.slipped;
     term(b, EnergyTerm::rolling_dashpot, k) = -held * dot(torque - spring, end_spin) * dt;
     stiffened = stiffened + step.stiffened;
-    forgotten = forgotten +
-                select(stiffness_before > 0.0, 0.5 / greatest(stiffness_before, 1e-300), 0.0) * dot(old, old);
+    forgotten = forgotten + laws::half_compliance(stiffness_before) * dot(old, old);
   }
   term(b, EnergyTerm::rolling_stiffness, k) = held * stiffened;
   term(b, EnergyTerm::forgotten_springs, k) += (1.0 - held) * forgotten;

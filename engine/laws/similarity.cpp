@@ -31,7 +31,7 @@ std::string Law::why_not(Similarity similarity) const {
     for (const Parameter& p : part->parameters)
       if (!p.pull_off.has_rule())
         return "the pull-off force of \"" + std::string(part->name) + "\" is no power of its " + p.name;
-  if (cohesion->name.starts_with("sjkr") && normal->name != "hertz")
+  if (cohesion->acts && !cohesion->has_pull_off && normal->name != "hertz")
     return "\"" + std::string(cohesion->name) + "\" has a pull-off force with the normal law \"hertz\" only";
   return {};
 }

@@ -23,6 +23,11 @@ enum class Similarity {
   none     ///< each number stays as it is for a grain
 };
 
+/// By the name it has in a case: "stress", "bond", "none".
+constexpr Similarity similarity_named(std::string_view name) {
+  return name == "bond" ? Similarity::bond : name == "none" ? Similarity::none : Similarity::stress;
+}
+
 /// Power of alpha by which a number of this unit grows under stress similarity. A unit that is not known here does
 /// not compile where a part of a law states its parameters.
 constexpr double size_power(std::string_view unit) {

@@ -14,6 +14,11 @@ struct SpringStep {
   double stiffened;  ///< brought in because the stiffness changed; negative: taken
 };
 
+/// What a spring of this stiffness stores over the square of its force: 1/(2 k); 0 for none.
+PULVIS_INLINE double half_compliance(double stiffness) {
+  return select(stiffness > 0.0, 0.5 / greatest(stiffness, 1e-300), 0.0);
+}
+
 /// Spring forces: `before`, at the end of the step before; `kept`, the same in the present stiffness before the bodies
 /// moved; `trial`, after that; `now`, after the limit; all carried into the present plane. With
 ///   dW = (before + now) . (trial - kept)/(2 k)          work put in, by the trapezoidal rule        [J]  (1)
@@ -22,8 +27,7 @@ struct SpringStep {
 /// the stored energy changes by exactly dW - D + S.
 PULVIS_INLINE SpringStep spring_step(const Vec3& before, const Vec3& kept, const Vec3& trial, const Vec3& now,
                                      double stiffness_before, double stiffness) {
-  const double half = select(stiffness > 0.0, 0.5 / greatest(stiffness, 1e-300), 0.0);
-  const double half_before = select(stiffness_before > 0.0, 0.5 / greatest(stiffness_before, 1e-300), 0.0);
+  const double half = half_compliance(stiffness), half_before = half_compliance(stiffness_before);
   const Vec3 both = before + now;
   const double stored = half * dot(now, now);
   return {stored, half * dot(both, trial - now),

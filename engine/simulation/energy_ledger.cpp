@@ -37,6 +37,13 @@ bool is_of_kick(std::size_t term) {
   return !is_stored(term) && term <= static_cast<std::size_t>(EnergyTerm::walls);
 }
 
+/// W; without the Coriolis force, which does no work.
+double power_of_body_forces(const Parcel& p, const ForceField& field) {
+  if (!field.rotating) return p.mass * dot(field.at(p.position), p.velocity);
+  const Vec3 acceleration = field.at(p.position) - cross(field.spin_rate, p.position - field.point);
+  return p.mass * dot(acceleration, p.velocity) - inertia(p) * dot(field.spin_rate, p.spin);
+}
+
 double kinetic(const Parcel& p) {
   return 0.5 * p.mass * dot(p.velocity, p.velocity) + 0.5 * inertia(p) * dot(p.spin, p.spin);
 }
@@ -83,19 +90,14 @@ void EnergyLedger::begin(EnergyAccount& account, const ContactView& view, const 
   account.start = grid_.value(sum);
 }
 
-/// Work of body forces on all parcels over the kick at the end of the step, without the Coriolis force, which does none.
+/// Work of body forces on all parcels over the kick at the end of the step.
 Quanta EnergyLedger::work_of_body_forces(const ContactView& view, const ForceField& field) {
   if (has_potential_) return 0;
   std::fill(shares_.begin(), shares_.end(), Quanta{0});
   parallel_shares(view.parcels.size(), view.threads, [&](std::size_t from, std::size_t to, int thread) {
     Quanta sum = 0;
     for (std::size_t i = from; i < to; ++i) {
-      const Parcel& p = view.parcels.body[i];
-      Vec3 acceleration = field.at(p.position);
-      if (field.rotating) acceleration -= cross(field.spin_rate, p.position - field.point);
-      const double power = p.mass * dot(acceleration, p.velocity) -
-                           (field.rotating ? inertia(p) * dot(field.spin_rate, p.spin) : 0.0);
-      sum += grid_.count(power * dt_);
+      sum += grid_.count(power_of_body_forces(view.parcels.body[i], field) * dt_);
     }
     shares_[static_cast<std::size_t>(thread)] = sum;
   });
@@ -119,8 +121,8 @@ void EnergyLedger::insert(EnergyAccount& account, const Parcel& p, const ForceFi
   account.inserted += kinetic(p) + potential(p, p.position);
   // It gets the second half of this moment's kick, which was reckoned without it.
   if (!has_potential_)
-    account.body_forces = total(quanta(account.body_forces) +
-                                grid_.count(0.5 * dt_ * p.mass * dot(field.at(p.position), p.velocity)));
+    account.body_forces =
+        total(quanta(account.body_forces) + grid_.count(0.5 * dt_ * power_of_body_forces(p, field)));
 }
 
 void EnergyLedger::remove(EnergyAccount& account, const Parcel& p, const Vec3& place) const {

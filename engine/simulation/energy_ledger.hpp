@@ -10,7 +10,7 @@ namespace pulvis {
 
 /// Where all energy is and where it came from and went, J, since the ledger began.
 ///   translational + rotational + potential + stored
-///     = start + inserted - removed + body_forces + brought_in - lost + closing_error
+///     = start + inserted - removed + brought_in - lost + closing_error
 struct EnergyBalance {
   using Term = kernels::EnergyTerm;
 
@@ -31,11 +31,10 @@ struct EnergyBalance {
     return sum(Term::normal_dashpot, Term::unsplit_friction) + sum(Term::sliding, Term::forgotten_springs);
   }
   double brought_in() const {
-    return (*this)[Term::walls] + sum(Term::sliding_stiffness, Term::changed_contacts);
+    return body_forces + (*this)[Term::walls] + sum(Term::sliding_stiffness, Term::changed_contacts);
   }
   double closing_error() const {
-    return kinetic() + potential + stored() -
-           (start + inserted - removed + body_forces + brought_in() - lost());
+    return kinetic() + potential + stored() - (start + inserted - removed + brought_in() - lost());
   }
   /// What became of the energy so far: lost, or in motion and contacts now. It depends on no choice of zero of the
   /// potential, and leaves out what went to and fro.

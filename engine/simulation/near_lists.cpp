@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numeric>
 
 #include "engine/base/failure.hpp"
 #include "engine/simulation/simulation.hpp"

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
 #include "engine/base/failure.hpp"
@@ -140,6 +139,7 @@ std::optional<EnergyBalance> Simulation::energy() const {
 // --- sources and motions ---------------------------------------------------------------------------------
 
 void Simulation::open_source(std::size_t source) {
+  require_whole_step();
   SourceState& s = state_.sources[source];
   s.open = true;
   s.opened = state_.step;
@@ -203,11 +203,13 @@ bool Simulation::clear_of_walls(const Vec3& centre, double radius) const {
 }
 
 void Simulation::start_motion(std::size_t motion) {
+  require_whole_step();
   state_.motions[motion].running = true;
   state_.motions[motion].start = state_.step;
 }
 
 void Simulation::stop_motion(std::size_t motion) {
+  require_whole_step();
   MotionState& m = state_.motions[motion];
   if (!m.running) return;
   const double since = static_cast<double>(state_.step - m.start) * model_.dt;
@@ -236,6 +238,7 @@ void Simulation::move_bodies_to(std::uint64_t step) {
 }
 
 void Simulation::set_absent(std::size_t body, bool absent) {
+  require_whole_step();
   if (poses_[body].absent == absent) return;
   const double stored_before = energy_ ? energy_->stored(view()) : 0.0;
   state_.body_absent[body] = absent ? 1 : 0;
@@ -278,7 +281,8 @@ void Simulation::require_nothing_inside(std::size_t body) const {
 // --- what others may ask ---------------------------------------------------------------------------------
 
 void Simulation::require_whole_step() const {
-  if (ahead_) throw Failure(Exit::internal_check, "a state was asked for in the middle of a step");
+  if (ahead_)
+    throw Failure(Exit::internal_check, "something other than a step was asked for in the middle of one");
 }
 
 State Simulation::snapshot() const {

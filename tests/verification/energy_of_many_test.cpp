@@ -150,10 +150,15 @@ TEST(EnergyLedger, ConvergesWithTheTimeStep) {
 }
 
 TEST(EnergyLedger, IsTheSameForThreadsSkinsSavingAndInstructionSets) {
+  struct Chosen {  // for as long as the simulation lives: its kernels are chosen when it is made
+    explicit Chosen(const char* set) {
+      if (set) ::setenv("PULVIS_INSTRUCTION_SET", set, 1);
+    }
+    ~Chosen() { ::unsetenv("PULVIS_INSTRUCTION_SET"); }
+  };
   const auto run = [](int threads, double skin, bool saved, const char* set) {
-    if (set) ::setenv("PULVIS_INSTRUCTION_SET", set, 1);
+    const Chosen chosen(set);
     Model m = shaken_filling("jkr", 1e-5);
-    if (set) ::unsetenv("PULVIS_INSTRUCTION_SET");
     m.skin = skin;
     Simulation s(m, Simulation::initial_state(m), threads);
     s.open_source(0);

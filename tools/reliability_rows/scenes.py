@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Eight small scenes, each with one hash however it is computed."""
+import glob
 import json
 import os
 import random
@@ -39,19 +40,27 @@ def start(build, scene, out, threads, *options):
 
 
 def hash_of_run(build, scene, kills, dice):
-    """With output and measures, and killed that often."""
+    """With output and measures, and killed that often: each time after a checkpoint and some time."""
     folder = tempfile.mkdtemp(prefix="pulvis-scene-")
-    out, option = os.path.join(folder, "out"), []
+    out, option, patience = os.path.join(folder, "out"), [], 0.3
     try:
         while True:
             process = start(build, scene, out, dice.randint(1, 4), *option)
             if kills > 0:
+                while process.poll() is None and not glob.glob(os.path.join(out, "checkpoints", "*.pulvis")):
+                    time.sleep(0.01)
                 try:
-                    process.wait(dice.uniform(0.05, 0.6))
+                    process.wait(dice.uniform(0.0, patience))
                 except subprocess.TimeoutExpired:
                     process.send_signal(signal.SIGKILL)
-                kills -= 1
+                    kills -= 1
             status = process.wait()
+            if status == 0 and kills > 0:  # too fast to be killed: once more, with less patience
+                if patience < 0.01:
+                    return "ended before it could be killed"
+                patience, option = 0.5 * patience, []
+                shutil.rmtree(out)
+                continue
             if status == 0:
                 with open(os.path.join(out, "result.json"), encoding="utf-8") as file:
                     return json.load(file)["state_hash"]
