@@ -66,10 +66,11 @@ void EnergyWorks::stage_pair(const ContactView& view, std::size_t slot, EnergyBl
 
 void EnergyWorks::pairs(const ContactView& view, std::size_t from, std::size_t to, Scratch& scratch) const {
   const NearPairs& near = view.near_pairs;
-  for (std::size_t c = 0; c < near.class_begin.size(); ++c) {
+  for (std::size_t group = 0; group < near.group_begin.size(); ++group) {
+    const std::size_t c = near.class_of(group);
     EnergyBlock& b = scratch.block[c];
-    for (std::size_t slot = std::max(from, near.class_begin[c]); slot < std::min(to, near.class_end[c]);
-         ++slot) {
+    for (std::size_t slot = std::max(from, near.group_begin[group]);
+         slot < std::min(to, near.group_end[group]); ++slot) {
       if (!touching_[slot] && !near.touching[slot]) continue;
       stage_pair(view, slot, b);
       if (b.count == kernels::block_size) flush(view, c, false, scratch);

@@ -50,6 +50,16 @@ void evaluate_block(ContactBlock& b, std::size_t begin, const ContactClass& cont
   contact.kernel.scatter(b, &near.load[begin]);
 }
 
+/// Sums of parcels leave out pairs apart unless told of a contact. Divided parcels, which other threads would tell of
+/// theirs at the same time, leave nothing out.
+void note_meetings(NearPairs& near, std::size_t begin, int count) {
+  for (std::size_t slot = begin; slot < begin + static_cast<std::size_t>(count); ++slot) {
+    if (!near.touching[slot]) continue;
+    for (const std::uint32_t parcel : {near.first[slot], near.second[slot]})
+      if (!near.divided(parcel)) near.meets[parcel] = 1;
+  }
+}
+
 void finish_walls(ContactBlock& b, const ContactClass& contact, NearWalls& near, double dt) {
   contact.kernel.walls(b, contact.constants.data(), dt);
   for (int k = 0; k < b.count; ++k) {
@@ -105,20 +115,20 @@ void stage_wall(ContactBlock& b, std::uint32_t slot, const Parcel& p, const Wall
 }  // namespace
 
 ContactEvaluator::ContactEvaluator(int most_threads, std::size_t classes, double approach)
-    : approach_(approach) {
+    : sum_(kernels::sum_of_pairs(kernels::instruction_set())), approach_(approach) {
   scratch_.resize(static_cast<std::size_t>(std::max(most_threads, 1)));
-  for (auto& s : scratch_) s.block.resize(classes), s.cursors.resize(classes);
+  for (auto& s : scratch_) s.block.resize(classes), s.cursors.resize(2 * classes);
 }
 
 void ContactEvaluator::block(NearPairs& near, const Parcels& parcels, const ContactClass& contact,
-                             std::size_t contact_class, std::size_t begin, const Images& images, double dt,
+                             std::size_t group, std::size_t begin, const Images& images, double dt,
                              int part) {
   ContactBlock& b = scratch_[static_cast<std::size_t>(part)].pairs;
   b.period = images.periods.length;
   b.slide = images.slide;
-  b.count =
-      static_cast<int>(std::min<std::size_t>(kernels::block_size, near.class_end[contact_class] - begin));
+  b.count = static_cast<int>(std::min<std::size_t>(kernels::block_size, near.group_end[group] - begin));
   evaluate_block(b, begin, contact, near, parcels, approach_, dt);
+  if (near.are_apart(group)) note_meetings(near, begin, b.count);
 }
 
 /// Looks at every surface near parcel `i` and gives each contact on a shared edge to one of them. A contact

@@ -24,11 +24,22 @@ class ContactEvaluator {
   /// `approach` is the widest gap at which a contact can begin, m.
   ContactEvaluator(int most_threads, std::size_t classes, double approach);
 
-  /// The block of near pairs that begins with slot `begin`. Parts of the work that go on at once have each their own
-  /// number `part`.
-  void block(NearPairs& near, const Parcels& parcels, const ContactClass& contact, std::size_t contact_class,
+  /// The block of near pairs of a group that begins with slot `begin`. Parts of the work that go on at once have each
+  /// their own number `part`.
+  void block(NearPairs& near, const Parcels& parcels, const ContactClass& contact, std::size_t group,
              std::size_t begin, const Images& images, double dt, int part);
-  /// How far a part of the work is in the slots of each class: for whoever leads it.
+  /// What pairs do to the parcels from `from` to `to`, but for those apart; and what all near pairs do to one.
+  void sum_close(const NearPairs& near, std::size_t from, std::size_t to, Load* sum) const {
+    sum_(near.load.data(), near.first_apart(), near.slots(), near.begin.data(), near.entry.data(), from, to,
+         sum);
+  }
+  Load sum_all(const NearPairs& near, std::size_t parcel) const {
+    Load sum;
+    sum_(near.load.data(), near.slots(), near.slots(), near.begin.data(), near.entry.data(), parcel,
+         parcel + 1, &sum);
+    return sum;
+  }
+  /// How far a part of the work is in the slots of each group: for whoever leads it.
   std::vector<std::size_t>& cursors(int part) { return scratch_[static_cast<std::size_t>(part)].cursors; }
   /// Fills `crossings`, ascending in the parcel's index.
   void walls(NearWalls& near, const Parcels& parcels, const Walls& walls, std::span<const Pose> poses,
@@ -47,6 +58,7 @@ class ContactEvaluator {
                     std::span<const Pose> poses, Scratch& scratch) const;
 
   std::vector<Scratch> scratch_;
+  kernels::SumOfPairs sum_;
   double approach_ = 0.0;
 };
 

@@ -10,10 +10,20 @@
 namespace pulvis {
 namespace {
 
+// Pairs closer than this share of their margins when the lists are made are expected to touch before the next time.
+constexpr double close_share = 0.1;
+
 struct Candidate {
   Vec3 position;
   double reach;  ///< radius + margin
+  double close;  ///< radius + its share of the margin
 };
+
+std::size_t group_of(const Parcels& parcels, const ContactClasses& classes, std::size_t i,
+                     std::uint32_t partner) {
+  return classes.index(parcels.body[i].species, parcels.body[partner >> 1].species) +
+         (partner & 1u) * classes.all().size();
+}
 
 }  // namespace
 
@@ -22,6 +32,7 @@ void NearPairs::rebuild(const Parcels& parcels, const ContactClasses& classes, s
   search(parcels, margin, reach, box, slide, threads);
   assign_slots(parcels, classes, threads);
   divide(threads);
+  meets.assign(parcels.size(), 0);
 }
 
 void NearPairs::divide(int threads) {
@@ -80,7 +91,8 @@ void NearPairs::search(const Parcels& parcels, std::span<const double> margin, d
   parallel_shares(count, threads, [&](std::size_t from, std::size_t to, int) {
     for (std::size_t k = from; k < to; ++k) {
       const Parcel& p = parcels.body[order[k]];
-      candidate[k] = {p.position, p.radius + margin[order[k]]};
+      const double m = margin[order[k]];
+      candidate[k] = {p.position, p.radius + m, p.radius + close_share * m};
     }
   });
 
@@ -94,51 +106,57 @@ void NearPairs::search(const Parcels& parcels, std::span<const double> margin, d
     mine.reserve(7 * (to - from));
     for (std::size_t i = from; i < to; ++i) {
       const Vec3 position = parcels.body[i].position;
-      const double own = parcels.body[i].radius + margin[i];
+      const double radius = parcels.body[i].radius;
+      const double own = radius + margin[i], own_close = radius + close_share * margin[i];
       const std::size_t before = mine.size();
       grid_.for_ranges_around(grid_.cell_of(i), slide, [&](std::uint32_t first_k, std::uint32_t last_k) {
         for (std::uint32_t k = first_k; k < last_k; ++k) {
           const Vec3 d = nearest(candidate[k].position - position);
           const double far = (own + candidate[k].reach) + reach;  // the same bits seen from either parcel
-          if (dot(d, d) < far * far && order[k] != i) mine.push_back(order[k]);
+          const double square = dot(d, d);
+          if (!(square < far * far) || order[k] == i) continue;
+          const double close = own_close + candidate[k].close + reach;
+          mine.push_back(2 * order[k] + (square < close * close ? 0 : 1));
         }
       });
       std::sort(mine.begin() + static_cast<std::ptrdiff_t>(before), mine.end(),
-                [&](std::uint32_t a, std::uint32_t b) { return parcels.body[a].id < parcels.body[b].id; });
+                [&](std::uint32_t a, std::uint32_t b) {
+                  return parcels.body[a >> 1].id < parcels.body[b >> 1].id;
+                });
       begin[i + 1] = static_cast<std::uint32_t>(mine.size() - before);
     }
   });
   for (std::size_t i = 0; i < count; ++i) begin[i + 1] += begin[i];
-  partner_.resize(begin[count]);
+  partner_.assign(begin[count], 0);
   for (std::size_t t = 0; t < found.size(); ++t)
     if (!found[t].empty())
       std::copy(found[t].begin(), found[t].end(), partner_.begin() + begin[share_begin[t]]);
 }
 
-/// Numbers the slots: by class, in it by the parcel that stands first in the store, so that slots follow the
+/// Numbers the slots: by group, in it by the parcel that stands first in the store, so that slots follow the
 /// store's order. Returns their number.
 std::size_t NearPairs::count_slots(const Parcels& parcels, const ContactClasses& classes, int threads) {
-  const std::size_t count = parcels.size(), class_count = classes.all().size();
-  own_end_.assign(class_count * count, 0);
+  const std::size_t count = parcels.size(), group_count = 2 * classes.all().size();
+  own_end_.assign(group_count * count, 0);
   parallel_shares(count, threads, [&](std::size_t from, std::size_t to, int) {
     for (std::size_t i = from; i < to; ++i)
       for (std::uint32_t k = begin[i]; k < begin[i + 1]; ++k)
-        if (const std::uint32_t j = partner_[k]; j > i)
-          ++own_end_[classes.index(parcels.body[i].species, parcels.body[j].species) * count + i];
+        if (const std::uint32_t j = partner_[k] >> 1; j > i)
+          ++own_end_[group_of(parcels, classes, i, partner_[k]) * count + i];
   });
   std::size_t total = 0;
-  class_begin.assign(class_count, 0);
-  class_end.assign(class_count, 0);
-  for (std::size_t c = 0; c < class_count; ++c) {
+  group_begin.assign(group_count, 0);
+  group_end.assign(group_count, 0);
+  for (std::size_t g = 0; g < group_count; ++g) {
     constexpr std::size_t block = kernels::block_size;
     total = (total + block - 1) / block * block;
-    class_begin[c] = total;
-    for (std::size_t i = c * count; i < (c + 1) * count; ++i) {
+    group_begin[g] = total;
+    for (std::size_t i = g * count; i < (g + 1) * count; ++i) {
       const std::uint32_t own = own_end_[i];
       own_end_[i] = static_cast<std::uint32_t>(total);
       total += own;
     }
-    class_end[c] = total;
+    group_end[g] = total;
   }
   if (total >= (std::size_t{1} << 31))
     throw Failure(Exit::physics, "more than 2^31 pairs of parcels are near");
@@ -151,18 +169,17 @@ void NearPairs::assign_slots(const Parcels& parcels, const ContactClasses& class
   first.assign(slot_count, 0);
   second.assign(slot_count, 0);
   touching.assign(slot_count, 0);
-  load.assign(slot_count + 1, {});
+  load.assign(slot_count + 2, {});
   springs.assign(block_count, {});
   memory.assign(remembers ? block_count : 0, {});
-  entry.resize(partner_.size());
+  entry.assign(partner_.size(), 0);
   parallel_shares(count, threads, [&](std::size_t from, std::size_t to, int) {
     for (std::size_t i = from; i < to; ++i)
       for (std::uint32_t k = begin[i]; k < begin[i + 1]; ++k) {
-        const std::uint32_t j = partner_[k];
+        const std::uint32_t j = partner_[k] >> 1;
         if (j < i) continue;
-        const Parcel &p = parcels.body[i], &q = parcels.body[j];
-        const std::uint32_t slot = own_end_[classes.index(p.species, q.species) * count + i]++;
-        const bool is_second = p.id > q.id;
+        const std::uint32_t slot = own_end_[group_of(parcels, classes, i, partner_[k]) * count + i]++;
+        const bool is_second = parcels.body[i].id > parcels.body[j].id;
         first[slot] = is_second ? j : static_cast<std::uint32_t>(i);
         second[slot] = is_second ? static_cast<std::uint32_t>(i) : j;
         entry[k] = 2 * slot + (is_second ? 1 : 0);
@@ -173,10 +190,11 @@ void NearPairs::assign_slots(const Parcels& parcels, const ContactClasses& class
   parallel_shares(count, threads, [&](std::size_t from, std::size_t to, int) {
     for (std::size_t i = from; i < to; ++i)
       for (std::uint32_t k = begin[i]; k < begin[i + 1]; ++k) {
-        const std::uint32_t j = partner_[k];
+        const std::uint32_t j = partner_[k] >> 1;
         if (j > i) continue;
         const auto last = partner_.begin() + begin[j + 1];
-        const auto at = std::find(partner_.begin() + begin[j], last, static_cast<std::uint32_t>(i));
+        const auto at = std::find_if(partner_.begin() + begin[j], last,
+                                     [i](std::uint32_t partner) { return partner >> 1 == i; });
         if (at == last)
           one_sided = true;
         else

@@ -16,9 +16,10 @@ using kernels::PairLoad;
 
 /// Pairs of parcels that touch or could before the next rebuild. Each pair has one slot, which holds its
 /// history and result; each parcel has a list of its slots, sorted by the partner's id, so that sums run in
-/// the same order whatever the lists contain besides. Slots of one contact class lie together and each class
-/// begins a new block of the kernels, so that blocks of slots are evaluated where they stand; slots that only fill
-/// a block up belong to no entry and never touch.
+/// the same order whatever the lists contain besides. Slots of one group lie together and each group begins a new
+/// block of the kernels, so that blocks of slots are evaluated where they stand; slots that only fill a block up
+/// belong to no entry and never touch. A contact class has two groups: pairs that touched or nearly did when the lists
+/// were made, and pairs apart, whose blocks mostly need no more than a look at their distances.
 class NearPairs {
  public:
   static constexpr std::uint32_t no_parcel = 0xffffffffu;
@@ -42,15 +43,19 @@ class NearPairs {
 
   std::size_t slots() const { return first.size(); }
 
-  /// End of the slots of a class that belong to the parcels up to `parcel` in the order of the store. A slot belongs to
+  std::size_t class_of(std::size_t group) const { return group % (group_begin.size() / 2); }
+  bool are_apart(std::size_t group) const { return group >= group_begin.size() / 2; }
+  std::size_t first_apart() const { return group_begin[group_begin.size() / 2]; }  ///< slot
+
+  /// End of the slots of a group that belong to the parcels up to `parcel` in the order of the store. A slot belongs to
   /// that of its two parcels which stands first.
-  std::size_t slot_end(std::size_t contact_class, std::size_t parcel) const {
-    return own_end_[contact_class * (begin.size() - 1) + parcel];
+  std::size_t slot_end(std::size_t group, std::size_t parcel) const {
+    return own_end_[group * (begin.size() - 1) + parcel];
   }
   /// The first block that begins with a slot of `parcel` or of one behind it.
-  std::size_t first_block(std::size_t contact_class, std::size_t parcel) const {
+  std::size_t first_block(std::size_t group, std::size_t parcel) const {
     constexpr std::size_t block = kernels::block_size;
-    const std::size_t slot = parcel == 0 ? class_begin[contact_class] : slot_end(contact_class, parcel - 1);
+    const std::size_t slot = parcel == 0 ? group_begin[group] : slot_end(group, parcel - 1);
     return (slot + block - 1) / block * block;
   }
 
@@ -70,19 +75,20 @@ class NearPairs {
   std::vector<std::uint32_t> first, second;
   std::vector<std::uint8_t> touching;
   std::vector<PairLoad>
-      load;  ///< zero where nothing touches; one more, so that four numbers can be read anywhere
+      load;  ///< zero where nothing touches; two more of zeros, so that four numbers can be read anywhere
 
   // Per block of slots.
   std::vector<kernels::Springs> springs;
   std::vector<kernels::MemoryLanes> memory;  ///< empty unless `remembers`
   bool remembers = false;                    ///< to be set before the first rebuild
 
-  // Per contact class: its slots are [class_begin[c], class_end[c]).
-  std::vector<std::size_t> class_begin, class_end;
+  // Per group: its slots are [group_begin[g], group_end[g]). The close ones of each class come first.
+  std::vector<std::size_t> group_begin, group_end;
 
   // Per parcel: entries [begin[k], begin[k + 1]) of `entry`, partners' ids ascending.
   std::vector<std::uint32_t> begin;
   std::vector<std::uint32_t> entry;  ///< 2 slot + (1 if the parcel is the second)
+  std::vector<std::uint8_t> meets;   ///< touches one of those that were apart, in this step
 
  private:
   void search(const Parcels& parcels, std::span<const double> margin, double reach, const Box& box,
@@ -94,7 +100,8 @@ class NearPairs {
   void set_memory(std::size_t slot, const laws::Memory& memory);
 
   CellGrid grid_;
-  std::vector<std::uint32_t> partner_, own_end_;  ///< own_end_: [class * parcels + parcel]
+  std::vector<std::uint32_t> partner_;  ///< per entry: 2 index (+ 1 if they are apart)
+  std::vector<std::uint32_t> own_end_;  ///< [group * parcels + parcel]
   int shares_ = 1;
   std::vector<std::uint8_t> divided_;
 };

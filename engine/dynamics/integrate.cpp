@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "engine/base/parallel.hpp"
-#include "engine/math/four.hpp"
 
 namespace pulvis {
 namespace {
@@ -37,21 +36,6 @@ PULVIS_INLINE void kick_rotating_last(Parcel& p, const Load& load, const ForceFi
   const Vec3 euler = -cross(field.spin_rate, p.position - field.point);
   p.velocity = solve_turning((2.0 * half_dt) * field.spin, p.velocity + half_dt * euler);
   p.spin = solve_turning(half_dt * field.spin, p.spin - half_dt * field.spin_rate);
-}
-
-/// Loads of all near pairs of parcel `i`, in the order of the partners' ids. Pairs that do not touch add zeros, which
-/// change no bit of a sum that began with +0. Three numbers are taken as four, whose last nobody asks for.
-PULVIS_INLINE Load sum_of_pairs(const NearPairs& pairs, std::size_t i) {
-  static_assert(sizeof(PairLoad) == 9 * sizeof(double));
-  constexpr double sign[2] = {1.0, -1.0};
-  Four force{}, torque{};
-  for (std::uint32_t k = pairs.begin[i]; k < pairs.begin[i + 1]; ++k) {
-    const std::uint32_t side = pairs.entry[k] & 1u;
-    const double* load = &pairs.load[pairs.entry[k] >> 1].force.x;
-    force += sign[side] * four_at(load);
-    torque += four_at(load + 3 + 3 * side);
-  }
-  return {{force[0], force[1], force[2]}, {torque[0], torque[1], torque[2]}};
 }
 
 /// Moves a coordinate that left a periodic axis back by one length, and its reference with it; true if it did.
@@ -114,10 +98,10 @@ PULVIS_INLINE void begin_one(Parcel& p, const Load& load, const StepBeginning& b
   notice.stale |= dot(since, since) > margin * margin || margin < 0.0;
 }
 
-/// What acts on parcel `i` at the end of a step: pairs by the partner's id, walls by surface, body forces.
-PULVIS_INLINE Load sum_of_all(const Parcel& p, std::size_t i, const NearPairs& pairs, const NearWalls& walls,
+/// What acts on parcel `i` at the end of a step: pairs (by the partner's id), walls by surface, body forces.
+PULVIS_INLINE Load sum_of_all(const Parcel& p, std::size_t i, const Load& of_pairs, const NearWalls& walls,
                               const ForceField& field) {
-  Load sum = sum_of_pairs(pairs, i);
+  Load sum = of_pairs;
   for (std::uint32_t slot = walls.begin[i]; slot < walls.begin[i + 1]; ++slot) {
     if (!walls.touching[slot]) continue;
     sum.force += walls.load[slot].force;
@@ -150,15 +134,14 @@ class ShareOfSweep {
     const auto [from, to] = t_.pairs.share(part_);
     constexpr std::size_t parcels_at_once = 2048;  // their loads are still in the second cache
     std::vector<std::size_t>& at = t_.evaluator.cursors(part_);
-    for (std::size_t c = 0; c < at.size(); ++c) at[c] = t_.pairs.first_block(c, from);
+    for (std::size_t g = 0; g < at.size(); ++g) at[g] = t_.pairs.first_block(g, from);
     for (std::size_t begin = from; begin < to; begin += parcels_at_once) {
       const std::size_t end = std::min(to, begin + parcels_at_once);
-      for (std::size_t c = 0; c < at.size(); ++c)
-        for (; at[c] < t_.pairs.slot_end(c, end - 1); at[c] += kernels::block_size)
-          t_.evaluator.block(t_.pairs, t_.parcels, t_.classes.all()[c], c, at[c], t_.images, fields_.dt,
-                             part_);
-      for (std::size_t i = begin; i < end; ++i)
-        if (!t_.pairs.divided(i)) finish(i);
+      for (std::size_t g = 0; g < at.size(); ++g)
+        for (; at[g] < t_.pairs.slot_end(g, end - 1); at[g] += kernels::block_size)
+          t_.evaluator.block(t_.pairs, t_.parcels, t_.classes.all()[t_.pairs.class_of(g)], g, at[g],
+                             t_.images, fields_.dt, part_);
+      finish(begin, end);
     }
   }
 
@@ -166,15 +149,32 @@ class ShareOfSweep {
   void finish_divided() {
     const auto [from, to] = t_.pairs.share(part_);
     for (std::size_t i = from; i < to; ++i)
-      if (t_.pairs.divided(i)) finish(i);
+      if (t_.pairs.divided(i)) finish(i, t_.evaluator.sum_all(t_.pairs, i));
   }
 
   StepNotice notice;
 
  private:
-  void finish(std::size_t i) {
+  /// All of a range but the divided ones. Pairs that do not touch add zeros, which change no bit of a sum that began
+  /// with +0: so most of them can be left out.
+  void finish(std::size_t begin, std::size_t end) {
+    constexpr std::size_t at_once = 64;
+    Load sums[at_once];
+    for (std::size_t from = begin; from < end; from += at_once) {
+      const std::size_t to = std::min(end, from + at_once);
+      t_.evaluator.sum_close(t_.pairs, from, to, sums);
+      for (std::size_t i = from; i < to; ++i) {
+        if (t_.pairs.divided(i)) continue;
+        std::uint8_t& meets = t_.pairs.meets[i];
+        finish(i, meets ? t_.evaluator.sum_all(t_.pairs, i) : sums[i - from]);
+        meets = 0;
+      }
+    }
+  }
+
+  void finish(std::size_t i, const Load& of_pairs) {
     Parcel& p = t_.parcels.body[i];
-    const Load sum = sum_of_all(p, i, t_.pairs, t_.walls, fields_.end);
+    const Load sum = sum_of_all(p, i, of_pairs, t_.walls, fields_.end);
     if (fields_.end.rotating)
       kick_rotating_last(p, sum, fields_.end, 0.5 * fields_.dt);
     else

@@ -10,14 +10,17 @@ namespace pulvis::kernels {
 namespace baseline {
 ContactKernel contact_kernel(const laws::Law& law);
 EnergyKernel energy_kernel(const laws::Law& law);
+SumOfPairs sum_of_pairs();
 }  // namespace baseline
 namespace avx2 {
 ContactKernel contact_kernel(const laws::Law& law);
 EnergyKernel energy_kernel(const laws::Law& law);
+SumOfPairs sum_of_pairs();
 }  // namespace avx2
 namespace avx512 {
 ContactKernel contact_kernel(const laws::Law& law);
 EnergyKernel energy_kernel(const laws::Law& law);
+SumOfPairs sum_of_pairs();
 }  // namespace avx512
 
 namespace {
@@ -64,6 +67,18 @@ ContactKernel contact_kernel(const laws::Law& law, InstructionSet set) {
       break;
   }
   return baseline::contact_kernel(law);
+}
+
+SumOfPairs sum_of_pairs(InstructionSet set) {
+  switch (set) {
+    case InstructionSet::avx512:
+      return avx512::sum_of_pairs();
+    case InstructionSet::avx2:
+      return avx2::sum_of_pairs();
+    case InstructionSet::baseline:
+      break;
+  }
+  return baseline::sum_of_pairs();
 }
 
 EnergyKernel energy_kernel(const laws::Law& law, InstructionSet set) {
