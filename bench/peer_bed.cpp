@@ -32,7 +32,13 @@ void say(const std::string& line) {
 
 Model model_of(const Wanted& wanted, const peers::PeerLaw& law, double width) {
   Model model = scenes::yardstick_model(law.stuff, law.parts, width, wanted.height);
+  model.classes = ContactClasses(2);
   model.classes.set(0, 0, scenes::contact_class(law.pair(), law.parts));
+  // The floor is not sticky (LAMMPS's jkr soon makes numbers that are none there); with W = 0 jkr is Hertz.
+  peers::PeerLaw floor = law;
+  floor.stuff.work_of_adhesion = 0.0;
+  model.classes.set(0, 1, scenes::contact_class(floor.pair(), floor.parts));
+  for (Surface& surface : model.walls.surfaces) surface.species = 1;
   return model;
 }
 
@@ -66,9 +72,10 @@ void look(const Simulation& simulation) {
     }
   const auto n = static_cast<double>(body.size());
   // Each pair stood in two lists.
-  say(fmt::format("peers: bed parcels {} kinetic {:.9g} height {:.9g} contacts {:.9g} bytes {:.1f} rebuilds {}",
-                  body.size(), energy / n, height / n, 0.5 * static_cast<double>(overlapping) / n,
-                  static_cast<double>(simulation.memory()) / n, simulation.rebuilds()));
+  say(fmt::format(
+      "peers: bed parcels {} kinetic {:.9g} height {:.9g} contacts {:.9g} bytes {:.1f} rebuilds {}",
+      body.size(), energy / n, height / n, 0.5 * static_cast<double>(overlapping) / n,
+      static_cast<double>(simulation.memory()) / n, simulation.rebuilds()));
 }
 
 void run(Simulation& simulation, int steps) {
@@ -125,8 +132,9 @@ int main(int argc, char** argv) {
     const auto wanted = read_arguments(argc, argv);
     const auto law = wanted ? peers::peer_law(wanted->law) : std::nullopt;
     if (!law) {
-      fmt::print(stderr, "usage: peer_bed hertz|sjkr|jkr DUMP [--threads N] [--width METRES] [--height METRES] "
-                         "[--tiles N]\n");
+      fmt::print(stderr,
+                 "usage: peer_bed hertz|sjkr|jkr DUMP [--threads N] [--width METRES] [--height METRES] "
+                 "[--tiles N]\n");
       return 2;
     }
     return obey(*wanted, *law);

@@ -28,8 +28,8 @@ std::istream& operator>>(std::istream& in, Vec3& v) { return in >> v.x >> v.y >>
 
 bool read(const std::string& line, Question& q) {
   std::istringstream words(line);
-  return static_cast<bool>(words >> q.law >> q.radius[0] >> q.radius[1] >>
-                           q.overlap >> q.velocity >> q.spin[0] >> q.spin[1] >> q.dt >> q.steps);
+  return static_cast<bool>(words >> q.law >> q.radius[0] >> q.radius[1] >> q.overlap >> q.velocity >>
+                           q.spin[0] >> q.spin[1] >> q.dt >> q.steps);
 }
 
 laws::Touch touch_of(const Question& q, double density) {
@@ -64,8 +64,8 @@ void answer(const Question& q, const peers::PeerLaw& peer) {
   const double arm[2] = {q.radius[0] - 0.5 * q.overlap, q.radius[1] - 0.5 * q.overlap};
   const Vec3 first = cross(arm[0] * touch.normal, r.force) + r.roll_torque;
   const Vec3 second = cross(arm[1] * touch.normal, r.force) - r.roll_torque;
-  fmt::print("{:.17g} {:.17g} {:.17g} {:.17g} {:.17g} {:.17g} {:.17g} {:.17g} {:.17g}\n", r.force.x, r.force.y,
-             r.force.z, first.x, first.y, first.z, second.x, second.y, second.z);
+  fmt::print("{:.17g} {:.17g} {:.17g} {:.17g} {:.17g} {:.17g} {:.17g} {:.17g} {:.17g}\n", r.force.x,
+             r.force.y, r.force.z, first.x, first.y, first.z, second.x, second.y, second.z);
 }
 
 }  // namespace
@@ -76,7 +76,8 @@ int main() {
     const bool whole = read(line, question);
     const auto law = whole ? peers::peer_law(question.law) : std::nullopt;
     if (!law) {
-      fmt::print(stderr, "peer_contact: \"{}\" is not a law and its numbers (see bench/peer_contact.cpp)\n", line);
+      fmt::print(stderr, "peer_contact: \"{}\" is not a law and its numbers (see bench/peer_contact.cpp)\n",
+                 line);
       return 2;
     }
     answer(question, *law);

@@ -55,7 +55,7 @@ def of_peer(code, law, contact, folder):
     inputs.data_file(data, [(0.0, 0.1)] * 3, contact.spheres())
     if os.path.exists(look):
         os.remove(look)
-    with Session(code, inputs.command(code), folder, "0") as session:
+    with Session(code, inputs.command(code), folder, str(max(os.sched_getaffinity(0)))) as session:
         session.send(*inputs.beginning(code, "f"), "read_data contact.data",
                      *inputs.laws(code, law, f"{DT:g}", inputs.FORCES),
                      *inputs.set_variables(steps=contact.steps, look="contact.dump"),
@@ -77,10 +77,7 @@ def deviation(ours, theirs):
     return worst
 
 
-def compare(code, law, contacts, numbers, folder, limit=LIMIT):
-    """Rows (what, deviation, limit); `numbers` of the nine are compared."""
-    rows = []
-    for contact, ours in zip(contacts, of_pulvis(law, contacts)):
-        theirs = of_peer(code, law, contact, folder)
-        rows.append((f"{law}, {code}: {contact.says}", deviation(ours[:numbers], theirs[:numbers]), limit))
-    return rows
+def compare(code, law, contacts, folder, limit=LIMIT):
+    """Rows (what, deviation of force and torques, limit)."""
+    return [(f"{law}, {code}: {contact.says}", deviation(ours, of_peer(code, law, contact, folder)), limit)
+            for contact, ours in zip(contacts, of_pulvis(law, contacts))]

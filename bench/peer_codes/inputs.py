@@ -60,8 +60,8 @@ def laws(code, law, dt, real_numbers):
     if code == "liggghts":
         lines = set_variables(more=MORE[law], dt=dt, numbers=f"format '{whole}" + " %.15g" * real_numbers + "'")
     else:
-        lines = set_variables(normal=lammps_normal(law), damping=f"{tangential_damping(POISSON):.12g}", dt=dt,
-                              numbers="format float %.15g")
+        lines = set_variables(normal=lammps_normal(law), floor=lammps_normal("hertz"), dt=dt,
+                              damping=f"{tangential_damping(POISSON):.12g}", numbers="format float %.15g")
     return [*lines, f"include ${{inputs}}/law.{code}"]
 
 

@@ -29,14 +29,14 @@ class Session:
     def wait(self, word):
         """The line that begins with "peers: WORD"."""
         for line in self.process.stdout:
-            self.said = self.said[-20:] + [line]
+            self.said = self.said[-40:] + [line]
             if line.startswith("peers: " + word):
                 return line.strip()
         return self.fail()
 
     def fail(self):
         self.process.wait()
-        raise RuntimeError(f"{self.name} ended with status {self.process.returncode}:\n" + "".join(self.said[-8:]))
+        raise RuntimeError(f"{self.name} ended with status {self.process.returncode}:\n" + "".join(self.said[-12:]))
 
     def processor_seconds(self):
         """What all threads of the process used of processors; other programs on the machine hardly change it."""
