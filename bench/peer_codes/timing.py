@@ -12,7 +12,7 @@ from .summary import figure, growth, read_step_time, row
 
 PEERS = {"hertz": ("liggghts", "lammps"), "sjkr": ("liggghts",), "jkr": ("lammps",)}
 SKINS = {"bed": (0.0001, 0.00025, 0.0005), "fall": (0.00025, 0.0005, 0.001)}  # m; a radius is 0.00125
-STEPS = 200  # a turn
+STEPS = 150  # a turn
 TEN_MILLION = 10_000_000
 NEEDED = 9 * 2**30  # bytes free before ten million are tried
 
