@@ -3,8 +3,8 @@
 from . import contacts as pairs
 
 # Of beds after the same settling from the same places, springs forgotten: relative. Places moved by a nanometre at
-# random change the energy by a hundred-thousandth. LIGGGHTS has the same law, but dashpots and springs that see the
-# velocity of another instant of the step; LAMMPS also has another rolling spring, and another lever of spins.
+# random change the energy by a hundred-thousandth. LIGGGHTS has the same law, but not our correction of dashpots for
+# the step, nor the normal in its middle; LAMMPS also has another rolling spring and another lever of spins.
 LIMITS = {"liggghts": {"kinetic": 0.02, "height": 0.0001, "contacts": 0.002},
           "lammps": {"kinetic": 0.10, "height": 0.001, "contacts": 0.005}}
 
