@@ -52,13 +52,20 @@ class Beds:
             self.dump(session, "bed.part")
             session.close()
         for name in ("fall", "bed"):  # the settled one last: it says that all is there
-            os.replace(self.path(name + ".part"), self.path(name + ".dump"))
-            with open(self.path(name + ".dump"), encoding="utf-8") as file:
-                rows = inputs.last_frame(file.read())
-            inputs.data_file(self.path(name + ".data"), [(0, self.size.width)] * 2 + [(0, HEIGHT)],
-                             [(int(row["id"]), row["radius"], *(tuple(row[n] for n in names.split()) for names in
-                                                               ("x y z", "vx vy vz", "omegax omegay omegaz")))
-                              for row in sorted(rows, key=lambda row: row["id"])])
+            self.keep(name)
+
+    def keep(self, name):
+        """Makes a dump that is whole by now the one that counts, and the data file of it."""
+        os.replace(self.path(name + ".part"), self.path(name + ".dump"))
+        with open(self.path(name + ".dump"), encoding="utf-8") as file:
+            rows = sorted(inputs.last_frame(file.read()), key=lambda row: row["id"])
+
+        def triple(row, names):
+            return tuple(row[name] for name in names)
+
+        inputs.data_file(self.path(name + ".data"), [(0, self.size.width)] * 2 + [(0, HEIGHT)],
+                         [(int(row["id"]), row["radius"], triple(row, "xyz"), triple(row, ("vx", "vy", "vz")),
+                           triple(row, ("omegax", "omegay", "omegaz"))) for row in rows])
 
     def session(self, code):
         session = Session(code, inputs.command(code), self.folder, self.cpu)
