@@ -87,6 +87,8 @@ class Simulation {
 
   /// Bytes held by the arrays that grow with the number of parcels.
   std::size_t memory() const;
+  /// What a program needs at its peak for a dense bed; `pulvis bench` measures it.
+  static constexpr double peak_bytes_per_parcel = 1000.0;
 
  private:
   /// Body forces now, for the half step that ends or began `steps` from now.
