@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "case/units.hpp"
+#include "engine/simulation/simulation.hpp"
 #include "run/body_pull.hpp"
 #include "run/build_walls.hpp"
 #include "run/pair_law.hpp"

@@ -231,8 +231,10 @@ void Runner::run(double latest) {
     step(looks ? Simulation::Then::look : Simulation::Then::go_on);
     if (!looks) continue;
     const auto ended = procedure_.ended();
-    if (ended) simulation_.require_sound();
-    times().book(Task::guards);
+    if (ended) {
+      simulation_.require_sound();
+      times().book(Task::guards);
+    }
     look(ended.has_value(), procedure_.phase().name);
     times().book(Task::measures);
     show_progress();

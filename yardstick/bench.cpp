@@ -10,6 +10,8 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/base/failure.hpp"
+#include "engine/kernels/contact_block.hpp"
+#include "engine/simulation/simulation.hpp"
 #include "output/progress.hpp"
 #include "output/result_json.hpp"
 #include "validation/scene.hpp"
