@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Fixed pieces of work for tools/instruction-count, each in a function of its own: counted_steps [--about]
-// `--about` prints what was compiled, since the counts hold for that alone.
+// `--about` prints what was compiled, since the counts hold for that alone, and names the pieces.
 #include <fmt/format.h>
 
 #include <cstdlib>
@@ -69,7 +69,7 @@ COUNTED counted_near_lists(Simulation& simulation) {
 
 int main(int argc, char** argv) {
   if (argc == 2 && !std::strcmp(argv[1], "--about")) {
-    fmt::print("{}\n", PULVIS_BUILD);
+    fmt::print("{}\nhertz near_lists jkr energy_ledger walls\n", PULVIS_BUILD);
     return 0;
   }
   const char* set = std::getenv("PULVIS_INSTRUCTION_SET");

@@ -52,7 +52,7 @@ class InstructionCount(unittest.TestCase):
         self.addCleanup(holder.cleanup)
         self.folder = holder.name
         self.counts = os.path.join(self.folder, "counts.txt")
-        self.program("bench/counted_steps", f"echo '{BUILD}'")
+        self.about("one two")
         self.dumps({"one": 100, "two": 200})
 
     def program(self, name, text):
@@ -61,6 +61,9 @@ class InstructionCount(unittest.TestCase):
         with open(path, "w", encoding="utf-8") as file:
             file.write(f"#!/bin/sh\n{text}\n")
         os.chmod(path, 0o755)
+
+    def about(self, works):
+        self.program("bench/counted_steps", f"echo '{BUILD}'; echo '{works}'")
 
     def dumps(self, works):
         """What the false valgrind leaves."""
@@ -119,8 +122,10 @@ class InstructionCount(unittest.TestCase):
         status, said = self.call()
         self.assertEqual(status, 2, said)
         self.assertIn("unknown instruction", said)
-        self.dumps({})
-        self.assertEqual(self.call()[0], 2)
+        self.dumps({"one": 100})
+        status, said = self.call()
+        self.assertEqual(status, 2, said)
+        self.assertIn("not all of one, two", said)
         os.remove(os.path.join(self.folder, "bench/counted_steps"))
         self.assertEqual(self.call()[0], 2)
 
