@@ -1,8 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Rows whose work a test program of the suite does, here with more rounds than in ./test."""
+"""Rows whose work a test program of the suite does, here with more rounds than in ./test, or one run."""
+import json
+import os
 import re
+import subprocess
+import tempfile
 
-from .common import Result, row, run_test
+from .common import PASSIVE, ROOT, Result, row, run_test
 
 
 @row("bits", "10,000 single bit flips and truncations of a checkpoint: all detected, none crashes")
@@ -37,3 +41,20 @@ def conservation(build, quick):
     met, said = run_test(build, "tests/reliability/conservation_tests", "ClosedSystem.*", environment)
     kept = re.findall(r"^\w+: momentum kept.*$", said, re.MULTILINE)
     return Result(met, "; ".join(kept) if met else said[-2000:])
+
+
+@row("energy", "ledger of energy over 1e6 steps of a filling: closed to 1e-3 of the energy put through")
+def energy(build, quick):
+    if quick:
+        return Result(None, "the quick form has none; the suite's tests of the ledger are shorter")
+    case = os.path.join(ROOT, "tests", "verification", "energy-filling.toml")
+    with tempfile.TemporaryDirectory(prefix="pulvis-energy-") as folder:
+        run = subprocess.run([os.path.join(build, "pulvis"), "run", case, "--out", folder, "--force", "--threads", "1"],
+                             capture_output=True, text=True, env={**os.environ, **PASSIVE}, check=False)
+        if run.returncode != 0:
+            return Result(False, f"exit {run.returncode}: {run.stderr[-800:]}")
+        with open(os.path.join(folder, "result.json"), encoding="utf-8") as file:
+            result = json.load(file)
+    share, steps = result["energy"]["closing_share"], result["steps"]
+    return Result(abs(share) <= 1e-3 and steps >= 1e6, f"{share:.1e} after {steps:,} steps of {result['particles']} parcels",
+                  closing_share=share, steps=steps)
