@@ -25,7 +25,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr double width_of_largest_tile = 0.04;  // m: a bed of some 35 layers of spheres
 constexpr std::size_t largest_tile = 10'000;
-constexpr int settling_steps = 30'000, warm_up = 300;
+constexpr int settling_steps = 20'000, warm_up = 300;
 constexpr double particle_steps = 20e6;
 constexpr double height = 0.3;  // m
 
@@ -70,8 +70,8 @@ void require_room_for(std::size_t parcels) {
 }
 
 /// Seconds: of the processor where one thread works, so that other programs disturb less; else of the clock.
-double now(int threads) {
-  return threads == 1 ? static_cast<double>(std::clock()) / CLOCKS_PER_SEC : seconds_now();
+double now(int threads_used) {
+  return threads_used == 1 ? static_cast<double>(std::clock()) / CLOCKS_PER_SEC : seconds_now();
 }
 
 class Bench {
@@ -144,9 +144,9 @@ class Bench {
     simulation.times().book(Task::rest);
     row.times = simulation.times().seconds();
     row.rebuilds = simulation.rebuilds();
-    const double start = now(threads);
+    const double start = now(row.threads_used);
     steps(row.steps, false);
-    row.seconds = now(threads) - start;
+    row.seconds = now(row.threads_used) - start;
     for (std::size_t k = 0; k < row.times.of.size(); ++k)
       row.times.of[k] = simulation.times().seconds().of[k] - row.times.of[k];
     row.rebuilds = simulation.rebuilds() - row.rebuilds;
