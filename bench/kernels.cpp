@@ -3,6 +3,7 @@
 // finding neighbours, carrying contacts over, and the ordered sums. kernels [--benchmark_filter=jkr]
 #include <benchmark/benchmark.h>
 
+#include <memory>
 #include <numeric>
 
 #include "engine/dynamics/integrate.hpp"

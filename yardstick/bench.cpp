@@ -25,7 +25,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr double width_of_largest_tile = 0.04;  // m: a bed of some 35 layers of spheres
 constexpr std::size_t largest_tile = 10'000;
-constexpr int settling_steps = 20'000, warm_up = 300;
+constexpr int settling_steps = 30'000, warm_up = 300;
 constexpr double particle_steps = 20e6;
 constexpr double height = 0.3;  // m
 

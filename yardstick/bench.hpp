@@ -9,7 +9,7 @@ namespace pulvis::yardstick {
 inline constexpr std::size_t smallest_bed = 1000, largest_bed = 1'000'000'000;  // parcels
 
 struct Request {
-  std::vector<std::size_t> sizes{10'000, 100'000, 1'000'000};
+  std::vector<std::size_t> sizes{10'000, 100'000};
   std::vector<std::string> laws{"hertz"};
   std::vector<int> threads;  ///< to be given by the caller
   bool energy = false;       ///< with the ledger of energy
