@@ -26,10 +26,9 @@ void add_bench_command(CLI::App& app) {
       "pairs per parcel, rebuilds of the near lists per step, bytes per parcel, shares of the time, speed-up "
       "over\n"
       "one thread, time per particle-step over that of the smallest bed. With one thread it is time of the\n"
-      "processor, else of the clock: keep the machine free of other work. Without options: about two "
-      "minutes.\n"
+      "processor, else of the clock: keep the machine free of other work. Without options: some minutes.\n"
       "Example: pulvis bench --sizes 1e4,1e6 --laws hertz,jkr --threads 1,2 --json bench.json");
-  bench->add_option("--sizes", "parcels, e.g. 1e4,1e6,1e7; default: 1e4,1e5,1e6")
+  bench->add_option("--sizes", "parcels, e.g. 1e4,1e6,1e7; default: 1e4,1e5")
       ->delimiter(',')
       ->expected(1, 100)
       ->allow_extra_args(false)
