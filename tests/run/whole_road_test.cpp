@@ -85,16 +85,6 @@ TEST(WholeRoad, TimesByTaskAddUpToAllTimeAndNameWhatTookSome) {
   EXPECT_NEAR(steps, r.at("stepping_time_s").get<double>(), 1e-9);
 }
 
-TEST(WholeRoad, PicturesAndLedgerOfEnergyHaveTheirShareOfTheTime) {
-  const std::string text = with(thrown(R"(["0 m/s", "0 m/s", "0 m/s"])", 12), "20 ms", "2 ms");
-  const RunOfCase run(with(text, "picture = false", "picture = true"),
-                      {"--set", "measures.energy_ledger=true"});
-  ASSERT_EQ(run.exit(), 0) << run.outcome().err;
-  const Json times = run.result().at("time_table_s");
-  EXPECT_GT(times.at("pictures").get<double>(), 0.0);
-  EXPECT_GT(times.at("energy_ledger").get<double>(), 0.0);
-}
-
 TEST(WholeRoad, LedgerBalancesInCountsAndMass) {
   const Json r = road().result(), &count = r.at("ledger"), &mass = r.at("ledger_mass");
   for (const char* key : {"inserted", "present", "removed", "escaped"}) {
@@ -284,6 +274,7 @@ TEST(WholeRoad, PictureIsAPngAndChangesNoBitOfTheResult) {
   EXPECT_EQ(picture.substr(picture.size() - 8, 4), "IEND");
   EXPECT_GT(picture.size(), 10000u) << "there is something to see";
   EXPECT_TRUE(has(drawn.outcome().out, "picture.png"));
+  EXPECT_GT(drawn.result().at("time_table_s").at("pictures").get<double>(), 0.0);
   EXPECT_FALSE(std::filesystem::exists(plain.out("picture.png")));
   EXPECT_EQ(drawn.result().at("state_hash"), plain.result().at("state_hash"));
   EXPECT_EQ(drawn.result().at("threads"), 2);
