@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <string_view>
 
+#include "apps/bench_command.hpp"
 #include "apps/options.hpp"
 #include "apps/report_command.hpp"
 #include "apps/study_command.hpp"
@@ -166,6 +167,7 @@ int main(int argc, char** argv) {
   pulvis::add_report_commands(app);
   pulvis::add_sweep_command(app);
   pulvis::add_study_command(app);
+  pulvis::add_bench_command(app);
 
   pulvis::validation::Request validation;
   validation.out = "validation-results";
@@ -210,6 +212,8 @@ int main(int argc, char** argv) {
       result = *swept;
     } else if (const auto studied = pulvis::run_study_command(app)) {
       result = *studied;
+    } else if (const auto timed = pulvis::run_bench_command(app)) {
+      result = *timed;
     } else if (*check_command) {
       result = check(file, settings);
     } else if (*law_command) {

@@ -79,6 +79,22 @@ void add_energy(const JsonEntry& result, RunData& run) {
                            value_text(energy->at("closing_share").number(), "1", 2));
 }
 
+void add_times(const JsonEntry& result, RunData& run) {
+  const auto times = result.find("time_table_s");
+  if (!times) return;
+  double total = 0.0;
+  for (const auto& [task, seconds] : times->members()) total += seconds.number();
+  std::string text;
+  for (const auto& [task, seconds] : times->members()) {
+    const double share = seconds.number() / total;
+    if (!(share >= 0.005)) continue;
+    std::string words = task;
+    std::replace(words.begin(), words.end(), '_', ' ');
+    text += fmt::format("{}{} {:.0f} %", text.empty() ? "" : ", ", words, 100.0 * share);
+  }
+  run.numbers.emplace_back("where it went", text);
+}
+
 /// What the run says of itself, for the page's last table.
 void read_numbers(const JsonEntry& result, RunData& run) {
   const auto number = [&](const char* key, const std::string& words, const char* unit, int digits = 6) {
@@ -95,6 +111,7 @@ void read_numbers(const JsonEntry& result, RunData& run) {
   add_energy(result, run);
   number("largest_overlap_over_radius", "largest overlap over the radius", "1", 3);
   number("wall_time_s", "time on the clock", "s", 4);
+  add_times(result, run);
   number("particle_steps_per_s", "parcels times steps per second", "1", 3);
   number("threads", "threads asked for", "1");
   number("threads_used", "threads used", "1");

@@ -22,7 +22,7 @@ Checkpoint read_checkpoint(const std::string& path) {
   try {
     from_bytes(file["case"], c.program, c.time_step, c.keys);
     from_bytes(file["state"], c.state);
-    from_bytes(file["run"], c.loads, c.flows, c.summary, c.results);
+    from_bytes(file["run"], c.loads, c.flows, c.summary, c.times, c.results);
   } catch (const Failure& failure) {
     throw Failure(Exit::bad_input, fmt::format("{}: {}", path, failure.what()));
   }
@@ -63,7 +63,7 @@ void Checkpoints::write(const Checkpoint& c) {
   sync_folder(folder_.path());  // and with it the names of all that it knows of
   const std::vector<Chunk> chunks = {{"case", to_bytes(c.program, c.time_step, c.keys)},
                                      {"state", save_state(c.state)},
-                                     {"run", to_bytes(c.loads, c.flows, c.summary, c.results)}};
+                                     {"run", to_bytes(c.loads, c.flows, c.summary, c.times, c.results)}};
   write_chunk_file(file(last_ + 1), Checkpoint::version, chunks);
   ++last_;
   for (const std::uint64_t number : numbers())

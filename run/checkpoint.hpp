@@ -17,7 +17,7 @@ namespace pulvis {
 /// Everything that a run between two steps is, besides its case: what is needed to go on as if it had never
 /// stopped. Its form in a file: docs/checkpoint-format.md.
 struct Checkpoint {
-  static constexpr std::uint32_t version = 3;  ///< of the form in a file
+  static constexpr std::uint32_t version = 4;  ///< of the form in a file
 
   std::string program = PULVIS_VERSION;  ///< version of the program that wrote it
   double time_step = 0.0;                ///< s
@@ -26,6 +26,7 @@ struct Checkpoint {
   WallRecord loads;
   std::vector<FlowRecord> flows;
   RunSummary summary;  ///< without exit and reason
+  TaskSeconds times;   ///< of all processes so far
   WrittenResults results;
 };
 

@@ -53,8 +53,11 @@ void fields(Archive& archive, PhaseRecord& p) {
 }
 template <class Archive>
 void fields(Archive& archive, RunSummary& s) {
-  archive(s.resumes, s.wall_time, s.stepping_time, s.looking_time, s.particle_steps, s.phases, s.notes,
-          s.warnings);
+  archive(s.resumes, s.particle_steps, s.phases, s.notes, s.warnings);
+}
+template <class Archive>
+void fields(Archive& archive, TaskSeconds& t) {
+  for (double& seconds : t.of) archive(seconds);
 }
 template <class Archive>
 void fields(Archive& archive, VtkSeries::Frame& f) {

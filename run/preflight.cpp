@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "case/units.hpp"
+#include "engine/simulation/simulation.hpp"
 #include "run/body_pull.hpp"
 #include "run/build_walls.hpp"
 #include "run/pair_law.hpp"
@@ -17,8 +18,6 @@
 
 namespace pulvis {
 namespace {
-
-constexpr double bytes_per_parcel = 1000.0;  // peak of the program on dense beds; see bench/step_time
 
 /// Pressure under the expected bed, Pa: its weight over the smallest footprint of a wall that could hold it.
 double bed_stress(const Case& c, const Walls& walls, double mass) {
@@ -163,7 +162,7 @@ Forecast forecast(const Case& c, const Assembly& a) {
     mass += source.target.mass.value_or(parcels * c.materials[powder.material].density * sphere_volume(0.5) *
                                         SizeSampler(parcel_sizes(powder)).mean_cube());
   }
-  f.memory = f.parcels * bytes_per_parcel;
+  f.memory = f.parcels * Simulation::peak_bytes_per_parcel;
   f.bed_stress = bed_stress(c, a.model.walls, mass);
   for (const PairProperties& p : a.pairs) f.pairs.push_back(forecast_pair(c, a, p, f.bed_stress));
   f.graining = graining(c, a, f.parcels, f.bed_stress);

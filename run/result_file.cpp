@@ -32,6 +32,12 @@ Json to_json(const std::vector<Escape>& escapes) {
   return list;
 }
 
+Json to_json(const TaskSeconds& times) {
+  Json json = Json::object();
+  for (std::size_t k = 0; k < task_names.size(); ++k) json[task_names[k]] = times.of[k];
+  return json;
+}
+
 Json energy_json(const EnergyBalance& balance) {
   Json json = Json::object();
   for (const EnergyLine& line : energy_lines(balance)) json[std::string(line.name) + "_J"] = line.value;
@@ -63,18 +69,18 @@ Json result_json(const Case& c, const TimeStep& time_step, const RunSummary& sum
     json["time_step_limit"] = time_step.given
                                   ? "given by the case"
                                   : time_step.limits.front().kind + " of " + time_step.limits.front().of;
-    json["wall_time_s"] = summary.wall_time;
+    const TaskSeconds& times = simulation->times().seconds();
+    json["wall_time_s"] = times.total();
     json["resumes"] = summary.resumes;
     json["threads"] = simulation->most_threads();
     json["threads_used"] = simulation->threads();
     json["list_rebuilds"] = simulation->rebuilds();
     json["instruction_set"] = kernels::name_of(kernels::instruction_set());
     json["particles"] = state.parcels.size();
-    json["time_table_s"] = {{"steps", summary.stepping_time},
-                            {"measures_files_pictures", summary.looking_time}};
-    json["particle_steps_per_s"] = summary.stepping_time > 0.0
-                                       ? static_cast<double>(summary.particle_steps) / summary.stepping_time
-                                       : 0.0;
+    json["stepping_time_s"] = times.of_steps();
+    json["time_table_s"] = to_json(times);
+    json["particle_steps_per_s"] =
+        times.of_steps() > 0.0 ? static_cast<double>(summary.particle_steps) / times.of_steps() : 0.0;
     json["largest_overlap_over_radius"] = largest_overlap;
     json["state_hash"] = simulation->hash();
     json["ledger"] = {{"inserted", ledger.inserted},

@@ -96,7 +96,8 @@ void make_page(const RunRequest& request, const RunFolder& folder) {
 int available_processors() { return omp_get_num_procs(); }
 
 Exit run_case(const RunRequest& request) {
-  const double latest = seconds_now() + seconds_of(request.max_wall);
+  const TimeSheet times;
+  const double latest = times.booked() + seconds_of(request.max_wall);
   const Case c = read_case(request.case_file, request.overrides);
   Assembly assembly = assemble(c);
   const std::vector<CaseKey> keys = deciding_keys(c);
@@ -125,7 +126,7 @@ Exit run_case(const RunRequest& request) {
   std::optional<Failure> failed;
   try {
     runner.emplace(c, std::move(assembly.model), std::move(*start), results, checkpoints,
-                   request.threads > 0 ? request.threads : available_processors());
+                   request.threads > 0 ? request.threads : available_processors(), times);
     runner->run(latest);
     check_ledger(runner->simulation());
   } catch (const Failure& failure) {

@@ -8,6 +8,7 @@
 #include "case/units.hpp"
 #include "output/progress.hpp"
 #include "run/energy_lines.hpp"
+#include "run/time_table.hpp"
 
 namespace pulvis {
 
@@ -47,13 +48,12 @@ void warn_of_escapes(const Case& c, const State& state, RunSummary& summary) {
 
 void print_summary(const Case& c, const std::string& folder, const RunSummary& summary,
                    const Simulation& simulation) {
-  fmt::print(
-      "{} after {} of simulated time ({} steps, {} parcels) in {} ({} of it measures and files), {} "
-      "particle-steps/s\n",
-      summary.exit == Exit::ok ? "Completed" : "Ended", format_quantity(simulation.time(), dimension::time),
-      simulation.state().step, simulation.state().parcels.size(), duration_text(summary.wall_time),
-      duration_text(summary.looking_time),
-      count_text(static_cast<double>(summary.particle_steps) / std::max(summary.stepping_time, 1e-9)));
+  const TaskSeconds& times = simulation.times().seconds();
+  fmt::print("{} after {} of simulated time ({} steps, {} parcels) in {}, {} particle-steps/s\n",
+             summary.exit == Exit::ok ? "Completed" : "Ended",
+             format_quantity(simulation.time(), dimension::time), simulation.state().step,
+             simulation.state().parcels.size(), duration_text(times.total()),
+             count_text(static_cast<double>(summary.particle_steps) / std::max(times.of_steps(), 1e-9)));
   for (const PhaseRecord& p : summary.phases) {
     fmt::print("  {:<12} {:>10} to {:>10}  ended by {}", p.name, format_quantity(p.start, dimension::time),
                format_quantity(p.end, dimension::time), p.ended_by);
@@ -77,6 +77,7 @@ void print_summary(const Case& c, const std::string& folder, const RunSummary& s
   fmt::print("  ledger: {} inserted = {} present + {} removed + {} escaped\n", l.inserted,
              simulation.state().parcels.size(), l.removed, l.escaped);
   if (const auto energy = simulation.energy()) fmt::print("{}\n", energy_text(*energy));
+  fmt::print("{}", time_table(times));
   fmt::print("Results in {0}:\n  numbers   {0}/result.json, {0}/measures.csv, {0}/log.csv\n", folder);
   if (c.output.picture)
     fmt::print("  picture   {0}/picture.png{1}\n", folder,

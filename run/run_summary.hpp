@@ -25,10 +25,7 @@ struct PhaseRecord {
 struct RunSummary {
   Exit exit = Exit::ok;
   std::string reason;
-  std::uint64_t resumes = 0;   ///< how often it was gone on with
-  double wall_time = 0.0;      ///< s; of all its parts, as what follows
-  double stepping_time = 0.0;  ///< s of it in time steps
-  double looking_time = 0.0;   ///< s of it in measures, files and pictures
+  std::uint64_t resumes = 0;  ///< how often it was gone on with
   std::uint64_t particle_steps = 0;
   std::vector<PhaseRecord> phases;
   std::vector<std::string> notes;  ///< on meshes and motions

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
 #include <cmath>
 #include <csignal>
 
@@ -33,26 +32,22 @@ double or_default(double interval, const Case& c) {
   return interval > 0.0 ? interval : hundredth_of_longest_phase(c);
 }
 
-Simulation simulation_of(const Case& c, Model&& model, State&& state, int threads) {
+Simulation simulation_of(const Case& c, Model&& model, State&& state, int threads, const TimeSheet& times) {
   require_fit(state, model);
   if (state.progress.phase > c.phases.size())
     throw Failure(Exit::bad_input, "the saved state is in a phase that the case does not have");
-  return {std::move(model), std::move(state), threads};
+  return {std::move(model), std::move(state), threads, times};
 }
 
 }  // namespace
 
-double seconds_now() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
 Runner::Runner(const Case& c, Model&& model, Checkpoint start, Results& results, Checkpoints& checkpoints,
-               int threads)
+               int threads, const TimeSheet& times)
     : case_(c),
       results_(results),
       checkpoints_(checkpoints),
       checkpoint_(std::move(start)),
-      simulation_(simulation_of(c, std::move(model), std::move(checkpoint_.state), threads)),
+      simulation_(simulation_of(c, std::move(model), std::move(checkpoint_.state), threads, times)),
       procedure_(c, simulation_),
       progress_(ProgressOptions::for_stderr()),
       loads_(c, simulation_, hundredth_of_longest_phase(c)),
@@ -60,9 +55,9 @@ Runner::Runner(const Case& c, Model&& model, Checkpoint start, Results& results,
       frame_every_(every(c.output.interval)),
       log_every_(every(or_default(c.output.log_interval, c))),
       measure_every_(every(or_default(c.measures.interval, c))),
-      saved_(seconds_now()),
-      booked_(saved_) {
+      saved_(seconds_now()) {
   if (checkpoint_.summary.resumes == 0) return;
+  this->times().add(checkpoint_.times);
   loads_.go_on_from(std::move(checkpoint_.loads));
   flows_.go_on_from(std::move(checkpoint_.flows));
 }
@@ -76,14 +71,6 @@ std::uint64_t Runner::every(double interval) const {
 void Runner::warn(const std::string& text) {
   summary().warnings.push_back(text);
   progress_.message("warning: " + text);
-}
-
-/// Time that passed since this was called before goes to an account.
-void Runner::book(double& account) {
-  const double now = seconds_now();
-  account += now - booked_;
-  summary().wall_time += now - booked_;
-  booked_ = now;
 }
 
 void Runner::check_escapes() const {
@@ -115,8 +102,11 @@ void Runner::look(bool phase_ends, const std::string& phase) {
   if (phase_ends) return;
   if (measure_every_ && step % measure_every_ == 0)
     log_measures(phase, all_measures(survey_die(case_, simulation_)));
-  if (frame_every_ && step % frame_every_ == 0)
-    results_.frame(simulation_, loads_, porosity_of_die(case_, simulation_));
+  if (frame_every_ == 0 || step % frame_every_ != 0) return;
+  const auto porosity = porosity_of_die(case_, simulation_);
+  times().book(Task::measures);
+  results_.frame(simulation_, loads_, porosity);
+  times().book(Task::files);
 }
 
 void Runner::close_phase(const std::string& ended_by, bool run_ends) {
@@ -128,10 +118,12 @@ void Runner::close_phase(const std::string& ended_by, bool run_ends) {
   summary().phases.push_back(
       {phase.name, procedure_.phase_start(), time, ended_by, list, wall_forces(loads_, simulation_)});
   log_measures(phase.name, list);
+  times().book(Task::measures);
   results_.write_measures(time, phase.name, list, die, flows_.in_phase(simulation_));
   results_.frame(simulation_, loads_, die ? std::optional(die->porosity) : std::nullopt);
   if (sight) results_.fields(time, *sight, die->porosity, field_support(case_));
   results_.write_pressures(loads_, simulation_, phase.name);
+  times().book(Task::files);
   for (const std::size_t s : phase.sources) {
     const SourceState& source = simulation_.state().sources[s];
     if (source.done || (phase.until != Phase::Until::inserted && phase.until != Phase::Until::mass)) continue;
@@ -141,6 +133,7 @@ void Runner::close_phase(const std::string& ended_by, bool run_ends) {
   if (case_.output.picture) {
     const bool last_phase = simulation_.state().progress.phase + 1 == case_.phases.size();
     results_.pictures(simulation_, phase.name, last_phase || run_ends);
+    times().book(Task::pictures);
   }
 }
 
@@ -154,26 +147,30 @@ void Runner::show_progress() {
 
 /// Only between two steps, when all output of the one before is written.
 void Runner::save() {
+  times().book(Task::rest);
   simulation_.require_sound();  // the last good one must not give way to one that leads nowhere
-  book(summary().looking_time);
+  times().book(Task::guards);
   checkpoint_.time_step = simulation_.model().dt;
   checkpoint_.state = simulation_.snapshot();
   checkpoint_.loads = loads_.record();
   checkpoint_.flows = flows_.record();
   checkpoint_.results = results_.written();
+  checkpoint_.times = times().seconds();
   checkpoints_.write(checkpoint_);
   checkpoint_.state = {};
   checkpoint_.loads = {};
   checkpoint_.flows = {};
-  book(summary().looking_time);
-  saved_ = booked_;
+  times().book(Task::checkpoints);
+  saved_ = times().booked();
 }
 
 void Runner::begin() {
   loads_.begin_phase(procedure_.phase(), simulation_);
   flows_.begin_phase(simulation_);
   results_.log(simulation_, procedure_.phase().name);
+  times().book(Task::measures);
   results_.frame(simulation_, loads_, {});
+  times().book(Task::files);
   save();
 }
 
@@ -189,6 +186,7 @@ void Runner::step(Simulation::Then then) {
   simulation_.step(then);
   if (loads_.after_step(simulation_)) results_.log_walls(loads_, simulation_, procedure_.phase().name);
   flows_.after_step(simulation_);
+  times().book(Task::measures);
   summary().particle_steps += simulation_.state().parcels.size();
   check_escapes();
 }
@@ -197,6 +195,7 @@ void Runner::end_phase(const std::string& ended_by) {
   close_phase(ended_by, false);
   results_.write_result(not_ended(summary()), nullptr,
                         false);  // so that a report finds the phase after a crash
+  times().book(Task::files);
   procedure_.next_phase();
   if (!procedure_.finished()) {
     loads_.begin_phase(procedure_.phase(), simulation_);
@@ -208,12 +207,11 @@ void Runner::end_phase(const std::string& ended_by) {
 /// Whether to stop before the next step; everything is saved and written then.
 bool Runner::stops(double latest) {
   const int signal = signal_to_stop();
-  const bool too_long = booked_ > latest;
+  const bool too_long = times().booked() > latest;
   if (signal == 0 && !too_long) return false;
   save();
   if (signal == SIGINT) {
     close_phase("stopped on request", true);
-    book(summary().looking_time);
     summary().exit = Exit::cancelled;
     summary().reason = "stopped on request; the results are those up to then";
     return true;
@@ -233,16 +231,19 @@ void Runner::run(double latest) {
     step(looks ? Simulation::Then::look : Simulation::Then::go_on);
     if (!looks) continue;
     const auto ended = procedure_.ended();
-    if (ended) simulation_.require_sound();
-    book(summary().stepping_time);
+    if (ended) {
+      simulation_.require_sound();
+      times().book(Task::guards);
+    }
     look(ended.has_value(), procedure_.phase().name);
+    times().book(Task::measures);
     show_progress();
     if (ended) end_phase(*ended);
-    book(summary().looking_time);
+    times().book(Task::rest);
     if (procedure_.finished()) break;
     if (stops(latest)) return;
     const double interval = case_.output.checkpoint_interval;
-    if (interval > 0.0 && booked_ - saved_ >= interval) save();
+    if (interval > 0.0 && times().booked() - saved_ >= interval) save();
   }
   summary().reason = "completed";
 }

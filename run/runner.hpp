@@ -14,16 +14,13 @@
 
 namespace pulvis {
 
-/// Seconds on a clock that never goes backwards.
-double seconds_now();
-
 /// One run from where it stands to its end: steps, looks, outputs, checkpoints.
 class Runner {
  public:
   /// `start`: a checkpoint with all that is known before the first step, or from which to go on. Throws
-  /// Failure(bad_input) if its state is not one of this model.
+  /// Failure(bad_input) if its state is not one of this model. `times` began when the process did.
   Runner(const Case& c, Model&& model, Checkpoint start, Results& results, Checkpoints& checkpoints,
-         int threads);
+         int threads, const TimeSheet& times);
 
   /// To the end of the last phase, or until a signal asks to stop, or until seconds_now() is past `latest`.
   void run(double latest);
@@ -47,7 +44,7 @@ class Runner {
   void show_progress();
   void check_escapes() const;
   void warn(const std::string& text);
-  void book(double& account);
+  TimeSheet& times() { return simulation_.times(); }
 
   const Case& case_;
   Results& results_;
@@ -59,7 +56,7 @@ class Runner {
   WallLoads loads_;
   FlowMeters flows_;
   std::uint64_t frame_every_, log_every_, measure_every_;
-  double saved_, booked_;  ///< s on the clock: last saved; all time up to here is accounted for
+  double saved_;  ///< s on the clock: when last saved
 };
 
 }  // namespace pulvis

@@ -142,7 +142,7 @@ Json compute(const Work& work) {
           {"parcels", run.at("particles")},
           {"steps", run.at("steps")},
           {"simulated_time_s", run.at("simulated_time_s")},
-          {"seconds", run.at("time_table_s").at("steps")}};
+          {"seconds", run.at("stepping_time_s")}};
 }
 
 }  // namespace

@@ -76,7 +76,7 @@ Json compute(const Work& work) {
   const Json result = run_of_case(work, work.settings.at("case"), from_json(work.settings.at("settings")));
   return {{"measures", result.at("measures")},
           {"parcels", result.at("particles")},
-          {"seconds", result.at("time_table_s").at("steps")}};
+          {"seconds", result.at("stepping_time_s")}};
 }
 
 /// Value and unit of each measure by factor: what every run has.

@@ -13,6 +13,7 @@ namespace pulvis::scenes {
 struct Stuff {
   double density = 2500.0, young_modulus = 5e6, poisson_ratio = 0.3;
   double restitution = 0.5, friction = 0.5, rolling_friction = 0.1, work_of_adhesion = 0.0;
+  double cohesion_energy_density = 0.0;
 };
 
 struct LawParts {
@@ -45,6 +46,7 @@ inline laws::MaterialPair material_pair(const Stuff& a, const Stuff& b) {
   pair.friction = a.friction;
   pair.rolling_friction = a.rolling_friction;
   pair.work_of_adhesion = a.work_of_adhesion;
+  pair.cohesion_energy_density = a.cohesion_energy_density;
   return pair;
 }
 
@@ -112,9 +114,11 @@ inline Model yardstick_model(const Stuff& stuff, const LawParts& parts, double w
   return m;
 }
 
-/// A settled bed of the yardstick: `count` spheres put into a column at random and let fall for `steps`.
-inline State settled_yardstick(const Stuff& stuff, const LawParts& parts, double width, std::size_t count,
-                               int steps, int threads) {
+/// A settled bed of the yardstick: `count` spheres put into a column at random and let fall for `steps`, after each
+/// of which its number is told.
+template <class Tell>
+State settled_yardstick(const Stuff& stuff, const LawParts& parts, double width, std::size_t count, int steps,
+                        int threads, Tell&& tell) {
   const double radius = 0.00125;
   const double height = static_cast<double>(count) * sphere_volume(radius) / (0.3 * width * width);
   Model m = yardstick_model(stuff, parts, width, 1.1 * height);
@@ -131,7 +135,10 @@ inline State settled_yardstick(const Stuff& stuff, const LawParts& parts, double
   m.sources.push_back(pack);
   Simulation simulation(m, Simulation::initial_state(m), threads);
   simulation.open_source(0);
-  for (int k = 0; k < steps; ++k) simulation.step();
+  for (int k = 1; k <= steps; ++k) {
+    simulation.step(k == steps ? Simulation::Then::look : Simulation::Then::go_on);
+    tell(k);
+  }
   State state = simulation.snapshot();
   state.sources.clear();
   return state;

@@ -149,6 +149,7 @@ std::vector<std::uint32_t> Simulation::rebuild(const TouchingList& old_pairs, co
     throw Failure(Exit::internal_check,
                   fmt::format("a rebuild of the neighbour lists kept {} of {} contacts at t = {:.6g} s",
                               found, old_pairs.size() + old_walls.size(), time()));
+  times_.book(Task::near_lists);
   return old_index;
 }
 

@@ -31,10 +31,11 @@ State Simulation::initial_state(const Model& model) {
   return state;
 }
 
-Simulation::Simulation(Model model, State state, int threads)
+Simulation::Simulation(Model model, State state, int threads, const TimeSheet& times)
     : model_(std::move(model)),
       state_(std::move(state)),
       most_threads_(std::max(threads, 1)),
+      times_(times),
       images_(Images::of(model_.domain, static_cast<double>(state_.step) * model_.dt)),
       reach_(model_.classes.longest_reach(model_.largest_radius)),
       poses_(model_.walls.bodies.size()),
@@ -51,6 +52,7 @@ Simulation::Simulation(Model model, State state, int threads)
   }
   const TouchingList pairs = std::move(state_.pairs), walls = std::move(state_.walls);
   state_.pairs = state_.walls = {};
+  times_.book(Task::preparation);
   rebuild(pairs, walls, same_order(state_.parcels.size()));
   if (!model_.energy_ledger) {
     state_.energy = {};  // what was added up before says nothing of what comes
@@ -72,6 +74,7 @@ void Simulation::step(Then then) {
     const StepBeginning first = beginning();
     notice_ = begin_step(state_.parcels, first, reference_, margin_, threads());
     drift_ = first.drift;
+    times_.book(Task::pairs);
   }
   ahead_ = false;
   images_.slide = slide_at(state_.step + 1);
@@ -81,11 +84,14 @@ void Simulation::step(Then then) {
   if (notice_.outside || notice_.too_fast) take_out_escaped(notice_);
   // Walls have no periodic images: what wrapped must look anew for those at the other end.
   walls_may_be_left_ = notice_.wrapped && has_bounded_walls_;
-  if (notice_.stale || walls_may_be_left_ || a_body_left_its_margin()) rebuild();
+  const bool stale = notice_.stale || walls_may_be_left_ || a_body_left_its_margin();
+  times_.book(Task::bodies);
+  if (stale) rebuild();
   walls_may_be_left_ = false;
-  if (energy_) energy_->before_contacts(pairs_, walls_);
+  if (energy_) before_contacts();
   evaluator_.walls(walls_, state_.parcels, model_.walls, poses_, model_.classes, model_.dt, threads(),
                    crossings_);
+  times_.book(Task::walls);
   ++state_.step;
   const StepBeginning next = beginning();
   const bool guarded = state_.step % steps_between_guards == 0;
@@ -95,9 +101,12 @@ void Simulation::step(Then then) {
   notice_ = sweep({state_.parcels, pairs_, walls_, evaluator_, model_.classes, images_, reference_, margin_},
                   {field_towards(-0.5), model_.dt}, ahead_ ? &next : nullptr);
   if (ahead_) drift_ = next.drift;
+  times_.book(Task::pairs);
   if (energy_) account_energy();
   if (!crossings_.empty()) take_out_crossed();
-  if (guarded) require_sound();
+  if (!guarded) return;
+  require_sound();
+  times_.book(Task::guards);
 }
 
 ShearedStep Simulation::shear_to_next_step() const {
@@ -113,10 +122,16 @@ ContactView Simulation::view() const {
           next_poses_, model_.classes, images_.periods, model_.dt,    threads()};
 }
 
+void Simulation::before_contacts() {
+  energy_->before_contacts(pairs_, walls_);
+  times_.book(Task::energy_ledger);
+}
+
 void Simulation::account_energy() {
   for (std::size_t b = 0; b < poses_.size(); ++b)
     next_poses_[b] = Pose::of_step(poses_[b].now, placement(b, state_.step + 1), model_.dt);
   energy_->after_step(state_.energy, view(), field());
+  times_.book(Task::energy_ledger);
 }
 
 void Simulation::account_leaving(const Parcel& parcel, const Load& load, Velocities velocities) {
@@ -176,6 +191,7 @@ void Simulation::insert_due_parcels() {
     }
     if (source.done) model_.sources[k].list = {};  // a bed is given once
   }
+  times_.book(Task::insertion);
   if (state_.parcels.size() == before) return;
   const TouchingList old_pairs = pairs_.pack(state_.parcels, threads()), old_walls = walls_.pack();
   auto old_index = same_order(before);

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "engine/base/time_sheet.hpp"
 #include "engine/contacts/evaluate.hpp"
 #include "engine/contacts/near_pairs.hpp"
 #include "engine/contacts/near_walls.hpp"
@@ -24,7 +25,8 @@ class Simulation {
     go_on,  ///< the next step, before anybody looks at parcels or loads
   };
 
-  Simulation(Model model, State state, int threads);
+  /// Books its time on `times`, which may have begun before.
+  Simulation(Model model, State state, int threads, const TimeSheet& times = {});
 
   /// Fresh state for a model: no parcels, all at rest.
   static State initial_state(const Model& model);
@@ -70,6 +72,9 @@ class Simulation {
   int threads() const;
   int most_threads() const { return most_threads_; }
   std::uint64_t rebuilds() const { return rebuilds_; }
+  /// Where the time went; whoever leads the simulation books his own there too. No bit of the state knows of it.
+  const TimeSheet& times() const { return times_; }
+  TimeSheet& times() { return times_; }
 
   /// Where all energy is and went; empty unless the model asks for the ledger.
   std::optional<EnergyBalance> energy() const;
@@ -82,6 +87,8 @@ class Simulation {
 
   /// Bytes held by the arrays that grow with the number of parcels.
   std::size_t memory() const;
+  /// What a program needs at its peak for a dense bed; `pulvis bench` measures it.
+  static constexpr double peak_bytes_per_parcel = 1000.0;
 
  private:
   /// Body forces now, for the half step that ends or began `steps` from now.
@@ -117,6 +124,7 @@ class Simulation {
   enum class Velocities { of_middle, of_end };
   void remove(std::vector<std::uint32_t>& indices, Velocities velocities);
   ContactView view() const;
+  void before_contacts();
   void account_energy();
   void account_leaving(const Parcel& parcel, const Load& load, Velocities velocities);
   [[noreturn]] void fail_at(const char* what, const char* remedy, const Parcel& parcel) const;
@@ -135,6 +143,7 @@ class Simulation {
   Model model_;
   State state_;
   int most_threads_;
+  TimeSheet times_;
   Images images_;
   double reach_ = 0.0;
   std::vector<Pose> poses_;

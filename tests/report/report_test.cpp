@@ -56,6 +56,7 @@ TEST(Report, HasTheNumbersOfTheRunAndEscapesItsText) {
   EXPECT_SAYS(page, "<td class=\"number\">3078</td>");
   EXPECT_SAYS(page, "f49844773404c8df");
   EXPECT_SAYS(page, "rayleigh of powder");
+  EXPECT_SAYS(page, "pairs 77 %, near lists 23 %<");
   EXPECT_SAYS(page, "3078 inserted, 3078 present, 0 removed, 0 escaped");
   EXPECT_SAYS(page, "a warning of the run");
 }

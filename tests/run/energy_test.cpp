@@ -20,6 +20,7 @@ const RunOfCase& accounted() {
 
 TEST(EnergyOfARun, IsInTheResultAndCloses) {
   const Json energy = accounted().result().at("energy");
+  EXPECT_GT(accounted().result().at("time_table_s").at("energy_ledger").get<double>(), 0.0);
   const auto of = [&](const std::string& line) { return energy.at(line + "_J").get<double>(); };
   double now = 0.0, lost = 0.0, brought_in = 0.0;
   for (const char* line : {"translational", "rotational", "potential", "elastic", "cohesive",

@@ -32,7 +32,7 @@ std::map<std::string, std::string> left_in(const std::string& out) {
   }
   Json result = json_of(out + "/result.json");
   for (const char* key : {"wall_time_s", "resumes", "threads", "threads_used", "list_rebuilds",
-                          "time_table_s", "particle_steps_per_s"})
+                          "stepping_time_s", "time_table_s", "particle_steps_per_s"})
     result.erase(key);
   // It names the case file, which lies elsewhere in each test.
   std::string& run = left["run.json"];
@@ -197,9 +197,13 @@ TEST(LeftRun, StopsAfterItsTimeOnTheClockAgainAndAgain) {
   // Once after its first step, then after a share of what the straight run took, which may have been slow.
   Outcome outcome = place.run({"--threads", "1", "--max-wall", "0 s"});
   int parts = 1;
+  double stepped = 0.0;
   for (double seconds = straight().result().at("wall_time_s").get<double>() / 8;
        outcome.exit == 75 && parts < 20; ++parts, seconds *= 1.5) {
     EXPECT_TRUE(has(outcome.err, "--max-wall")) << outcome.err;
+    const double so_far = json_of(place.out + "/result.json").at("stepping_time_s");
+    EXPECT_GT(so_far, stepped) << "what the parts before needed counts too";
+    stepped = so_far;
     outcome = place.run({"--resume", "--threads", "1", "--max-wall", fmt::format("{} s", seconds)});
   }
   EXPECT_EQ(outcome.exit, 0) << outcome.err;

@@ -55,6 +55,36 @@ TEST(WholeRoad, ResultHasEveryPromisedKeyInItsType) {
   EXPECT_TRUE(r.at("warnings").is_array());
 }
 
+double sum_of(const Json& times) {
+  double sum = 0.0;
+  for (const auto& [task, seconds] : times.items()) sum += seconds.get<double>();
+  return sum;
+}
+
+TEST(WholeRoad, TimesByTaskAddUpToAllTimeAndNameWhatTookSome) {
+  const auto start = std::chrono::steady_clock::now();
+  const RunOfCase run(small_die);
+  const std::chrono::duration<double> outside = std::chrono::steady_clock::now() - start;
+  ASSERT_EQ(run.exit(), 0) << run.outcome().err;
+  const Json r = run.result(), &times = r.at("time_table_s");
+  EXPECT_NEAR(sum_of(times), r.at("wall_time_s").get<double>(), 1e-9);
+  EXPECT_LT(r.at("wall_time_s").get<double>(), outside.count()) << "no time is booked twice";
+  for (const auto& [task, seconds] : times.items()) EXPECT_GE(seconds.get<double>(), 0.0) << task;
+  for (const char* task : {"preparation", "insertion", "bodies", "near_lists", "walls", "pairs", "guards",
+                           "measures", "files", "checkpoints"}) {
+    EXPECT_GT(times.at(task).get<double>(), 0.0) << task;
+    EXPECT_TRUE(has(run.outcome().out, std::string("\n  ") + task + " ")) << run.outcome().out;
+  }
+  for (const char* task : {"pictures", "energy_ledger", "leaving"}) {
+    EXPECT_EQ(times.at(task).get<double>(), 0.0) << task << ": the case has none";
+    EXPECT_FALSE(has(run.outcome().out, std::string("\n  ") + task + " ")) << run.outcome().out;
+  }
+  const double steps = sum_of(times) - times.at("preparation").get<double>() -
+                       times.at("measures").get<double>() - times.at("files").get<double>() -
+                       times.at("checkpoints").get<double>() - times.at("rest").get<double>();
+  EXPECT_NEAR(steps, r.at("stepping_time_s").get<double>(), 1e-9);
+}
+
 TEST(WholeRoad, LedgerBalancesInCountsAndMass) {
   const Json r = road().result(), &count = r.at("ledger"), &mass = r.at("ledger_mass");
   for (const char* key : {"inserted", "present", "removed", "escaped"}) {
@@ -244,6 +274,7 @@ TEST(WholeRoad, PictureIsAPngAndChangesNoBitOfTheResult) {
   EXPECT_EQ(picture.substr(picture.size() - 8, 4), "IEND");
   EXPECT_GT(picture.size(), 10000u) << "there is something to see";
   EXPECT_TRUE(has(drawn.outcome().out, "picture.png"));
+  EXPECT_GT(drawn.result().at("time_table_s").at("pictures").get<double>(), 0.0);
   EXPECT_FALSE(std::filesystem::exists(plain.out("picture.png")));
   EXPECT_EQ(drawn.result().at("state_hash"), plain.result().at("state_hash"));
   EXPECT_EQ(drawn.result().at("threads"), 2);
