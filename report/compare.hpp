@@ -29,16 +29,16 @@ Statistic statistic_of(const std::vector<double>& values);
 /// Whether the means of two groups differ by more than their scatter explains.
 struct Verdict {
   double difference = 0.0;  ///< second minus first
-  double error = 0.0;       ///< pooled standard error of the difference
+  double error = 0.0;       ///< standard error of the difference
   double limit = 0.0;       ///< how many errors the difference must exceed
   bool judged = false;      ///< false: fewer than three runs together, or no number
   bool beyond = false;
 };
 
-/// Student's test for two samples of one variance (W. S. Gosset, Biometrika 6 (1908) 1, doi:10.1093/biomet/6.1.1; two
-/// samples: R. A. Fisher, Statistical Methods for Research Workers (1925), section 24.1): with the pooled variance
-/// s^2 = ((n1-1) s1^2 + (n2-1) s2^2)/(n1+n2-2), the difference of means over s sqrt(1/n1 + 1/n2) exceeds in absolute
-/// value the 97.5 % point of Student's distribution with n1+n2-2 degrees of freedom in one case of twenty by chance.
+/// Student's test for samples whose variances may differ (B. L. Welch, Biometrika 34 (1947) 28, doi:10.1093/biomet/34.1-2.28):
+/// the difference of means over sqrt(e1 + e2), with e = s^2/n of each, exceeds in absolute value the 97.5 % point of
+/// Student's distribution with (e1 + e2)^2/(e1^2/(n1-1) + e2^2/(n2-1)) degrees of freedom, here rounded down, in one case of
+/// twenty by chance. A single run is held against the scatter s of the other group: s sqrt(1 + 1/n), n-1 degrees.
 Verdict compare_means(const Statistic& first, const Statistic& second);
 
 /// The 97.5 % point of Student's distribution; beyond 30 degrees of freedom that of 30, which is on the safe side.

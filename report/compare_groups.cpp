@@ -86,14 +86,19 @@ Verdict compare_means(const Statistic& first, const Statistic& second) {
   Verdict v;
   if (first.count == 0 || second.count == 0 || first.count + second.count < 3) return v;
   const double n1 = static_cast<double>(first.count), n2 = static_cast<double>(second.count);
-  const auto squares = [](const Statistic& s) {
-    return s.count > 1 ? static_cast<double>(s.count - 1) * s.deviation * s.deviation : 0.0;
-  };
-  const double variance = (squares(first) + squares(second)) / (n1 + n2 - 2.0);
   v.difference = second.mean - first.mean;
   if (std::abs(v.difference) <= rounding * std::abs(first.mean)) v.difference = 0.0;
-  v.error = std::sqrt(variance * (1.0 / n1 + 1.0 / n2));
-  v.limit = student_limit(first.count + second.count - 2);
+  const auto square_of_error = [](const Statistic& s, double n) { return s.deviation * s.deviation / n; };
+  double freedom = n1 + n2 - 2.0;
+  if (first.count > 1 && second.count > 1) {
+    const double e1 = square_of_error(first, n1), e2 = square_of_error(second, n2);
+    v.error = std::sqrt(e1 + e2);
+    if (v.error > 0.0) freedom = (e1 + e2) * (e1 + e2) / (e1 * e1 / (n1 - 1.0) + e2 * e2 / (n2 - 1.0));
+  } else {  // the one run of a group may lie as far off as those of the other do
+    const Statistic& many = first.count > 1 ? first : second;
+    v.error = many.deviation * std::sqrt(1.0 / n1 + 1.0 / n2);
+  }
+  v.limit = student_limit(static_cast<std::size_t>(freedom + 1e-9));
   v.judged = true;
   v.beyond = std::abs(v.difference) > v.limit * v.error;
   return v;
@@ -149,7 +154,8 @@ void add_groups(HtmlPage& page, const std::vector<RunData>& runs, const std::vec
   page.paragraph(
       "Mean ± standard deviation between seeds. A difference of means is called beyond the scatter of the "
       "seeds "
-      "if it exceeds the 97.5 % point of Student's distribution times the pooled standard error. Of twenty "
+      "if it exceeds the 97.5 % point of Student's distribution times the standard error of the difference. "
+      "Of twenty "
       "measures that do not really differ, one is so by chance; and with few seeds a real difference "
       "may stay hidden.");
   std::vector<HtmlPage::Row> rows;

@@ -34,9 +34,10 @@ const Series series[] = {{"hertz", "box-filling.toml", {"stress"}},
                          {"sjkr2", "box-filling-sjkr2.toml", {"bond", "stress"}},
                          {"capillary", "box-filling-capillary.toml", {"bond", "stress", "none"}}};
 
-/// Coarse beds scatter more, for they have fewer parcels, and cost less: more seeds make up for part of that.
+/// Coarse beds scatter more, for they have fewer parcels: with so many seeds each factor has as many parcels in all, and
+/// means that scatter about alike.
 int seeds_at(double factor, double finest, int seeds) {
-  return static_cast<int>(std::lround(seeds * std::pow(factor / finest, 1.5)));
+  return static_cast<int>(std::lround(seeds * std::pow(factor / finest, 3.0)));
 }
 
 std::vector<Point> points(const Options& options) {

@@ -18,8 +18,8 @@ TEST(Statistic, IsTheMeanAndTheDeviationOfTheSample) {
   EXPECT_EQ(statistic_of({}).count, 0u);
 }
 
-// By hand: s1^2 = s2^2 = 1, pooled 1, error sqrt(2/3); Student's limit for 4 degrees of freedom is 2.776.
-TEST(Verdict, GoesByThePooledStandardError) {
+// By hand: s1^2 = s2^2 = 1, error sqrt(1/3 + 1/3); Student's limit for 4 degrees of freedom is 2.776.
+TEST(Verdict, GoesByTheStandardErrorOfTheDifference) {
   const Verdict near = compare_means(statistic_of({1, 2, 3}), statistic_of({3, 4, 5}));
   EXPECT_DOUBLE_EQ(near.error, std::sqrt(2.0 / 3.0));
   EXPECT_DOUBLE_EQ(near.limit, 2.776);
@@ -28,6 +28,14 @@ TEST(Verdict, GoesByThePooledStandardError) {
   EXPECT_TRUE(far.judged);
   EXPECT_TRUE(far.beyond);  // 3.67
   EXPECT_DOUBLE_EQ(far.difference, 3.0);
+}
+
+// By hand: e1 = 1/3, e2 = (500/3)/4; 42^2/((1/3)^2/2 + 41.667^2/3) = 3.05 degrees of freedom.
+TEST(Verdict, LetsEachGroupHaveItsOwnScatter) {
+  const Verdict v = compare_means(statistic_of({1, 2, 3}), statistic_of({0, 10, 20, 30}));
+  EXPECT_DOUBLE_EQ(v.error, std::sqrt(42.0));
+  EXPECT_DOUBLE_EQ(v.limit, 3.182);
+  EXPECT_FALSE(v.beyond);  // 13/6.48 = 2.0
 }
 
 TEST(Verdict, UsesTheScatterOfOneGroupForASingleRun) {
