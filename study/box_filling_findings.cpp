@@ -84,11 +84,13 @@ void judge_similarities(const Beds& beds, Findings& f) {
       }
 }
 
-/// Porosity of a bed where so much lies above (Pa), between the middles of its layers; nothing beyond them and in the
-/// floor's layer.
+/// Porosity of a bed where so much lies above (Pa), between the middles of its layers; nothing beyond them, in the
+/// floor's layer and in the one that the surface cuts, which is partly empty.
 std::optional<double> porosity_under(const Json& bed, double overburden) {
   const Json* above = nullptr;
+  const double surface = bed.at("surface_m");
   for (auto layer = bed.at("layers").rbegin(); layer != bed.at("layers").rend(); ++layer) {
+    if (layer->at("high_m").get<double>() > surface + 1e-9) continue;
     if (layer->at("low_m").get<double>() < end_layer - 1e-9) break;
     const double here = layer->at("overburden_Pa");
     if (here >= overburden) {

@@ -131,6 +131,17 @@ TEST(BoxFilling, JudgesProfilesOnlyUnderThreeTimesTheRumpfStrength) {
   EXPECT_GT(reported.deviation, 0.02);
 }
 
+TEST(BoxFilling, LeavesOutTheLayerThatTheSurfaceCuts) {
+  const Findings found = concluded(study::box_filling(), [](const Json& settings) {
+    Json made = expected_bed(settings);
+    made["surface_m"] = 7.5e-3;
+    made["pull_of_grains_Pa"] = 1.0;  // every load is above three times the strength
+    if (settings.at("factor") == 170.0) made["layers"][7]["porosity"] = 0.7;
+    return made;
+  });
+  EXPECT_TRUE(misses(found).empty()) << misses(found).front();
+}
+
 TEST(BoxFilling, RefusesWhatCannotBeCompared) {
   study::Options one_factor, one_seed;
   one_factor.factors = {120.0};
