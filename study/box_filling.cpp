@@ -34,10 +34,11 @@ const Series series[] = {{"hertz", "box-filling.toml", {"stress"}},
                          {"sjkr2", "box-filling-sjkr2.toml", {"bond", "stress"}},
                          {"capillary", "box-filling-capillary.toml", {"bond", "stress", "none"}}};
 
-/// Coarse beds scatter more, for they have fewer parcels: with so many seeds each factor has as many parcels in all, and
-/// means that scatter about alike.
-int seeds_at(double factor, double finest, int seeds) {
-  return static_cast<int>(std::lround(seeds * std::pow(factor / finest, 3.0)));
+/// Coarse beds scatter more, for they have fewer parcels. Without cohesion small differences are judged: each factor has as
+/// many parcels in all. Those between similarities are larger.
+int seeds_at(const Series& series, double factor, double finest, int seeds) {
+  const double power = series.similarities.size() == 1 ? 3.0 : 1.5;
+  return static_cast<int>(std::lround(seeds * std::pow(factor / finest, power)));
 }
 
 std::vector<Point> points(const Options& options) {
@@ -52,8 +53,8 @@ std::vector<Point> points(const Options& options) {
                   "two --factors and two --seeds");
   std::vector<Point> list;
   for (const double factor : factors)
-    for (int seed = 1; seed <= seeds_at(factor, factors.front(), seeds); ++seed)
-      for (const Series& s : series)
+    for (const Series& s : series)
+      for (int seed = 1; seed <= seeds_at(s, factor, factors.front(), seeds); ++seed)
         for (const char* similarity : s.similarities)
           list.push_back({fmt::format("{}-{}-{:g}-seed-{}", s.law, similarity, factor, seed),
                           {{"law", s.law},

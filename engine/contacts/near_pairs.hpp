@@ -42,6 +42,7 @@ class NearPairs {
   void take_over_loads(const NearPairs& old, std::span<const std::uint32_t> old_index);
 
   std::size_t slots() const { return first.size(); }
+  bool is_pair(std::size_t slot) const { return first[slot] != second[slot]; }  ///< and no mere filling
 
   std::size_t class_of(std::size_t group) const { return group % (group_begin.size() / 2); }
   bool are_apart(std::size_t group) const { return group >= group_begin.size() / 2; }
