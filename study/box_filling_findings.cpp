@@ -54,7 +54,7 @@ void judge_without_cohesion(const Beds& beds, Findings& f) {
   const double finest = *beds.factors().begin();
   for (const char* law : {"hertz", "hooke"})
     for (const double factor : beds.factors()) {
-      if (factor == finest) continue;
+      if (factor == finest || !beds.has(law, "stress")) continue;
       for (const auto& [quantity, limit] : {std::pair{"porosity", 0.01}, {"coordination", 0.2}}) {
         const auto fine = beds.values(law, "stress", finest, quantity),
                    coarse = beds.values(law, "stress", factor, quantity);
@@ -72,7 +72,7 @@ void judge_similarities(const Beds& beds, Findings& f) {
   for (const char* law : {"jkr", "sjkr2", "capillary"})
     for (const double factor : beds.factors())
       for (const auto& [dense, loose] : {std::pair{"none", "stress"}, {"stress", "bond"}}) {
-        if (!beds.has(law, dense)) continue;
+        if (!beds.has(law, dense) || !beds.has(law, loose)) continue;
         const auto a = beds.values(law, dense, factor, "porosity"),
                    b = beds.values(law, loose, factor, "porosity");
         const Difference d = difference(a, b);
@@ -118,7 +118,7 @@ void judge_profiles(const Beds& beds, Findings& f) {
   const double finest = *beds.factors().begin();
   for (const char* law : {"jkr", "sjkr2", "capillary"})
     for (const double factor : beds.factors()) {
-      if (factor == finest) continue;
+      if (factor == finest || !beds.has(law, "stress")) continue;
       const auto &fine = beds.of(law, "stress", finest), &coarse = beds.of(law, "stress", factor);
       const double pull = fine.front()->at("pull_of_grains_Pa");
       struct Worst {
@@ -175,6 +175,7 @@ Figure over_factors(const Beds& beds, const std::string& name, const char* quant
   figure.x_label = "factor of coarse graining";
   figure.y_label = label;
   for (const auto& [law, similarity] : lines) {
+    if (!beds.has(law, similarity)) continue;
     Curve curve;
     curve.label = law == "hertz" || law == "hooke" ? law : law + ", " + similarity;
     for (const double factor : beds.factors()) {
@@ -209,14 +210,14 @@ void add_figures(const Beds& beds, Findings& f) {
     f.figure(over_factors(beds, fmt::format("{}-without-cohesion", quantity), quantity, label,
                           {{"hertz", "stress"}, {"hooke", "stress"}}, "Beds without cohesion"));
     for (const char* law : {"jkr", "sjkr2", "capillary"}) {
-      std::vector<std::pair<std::string, std::string>> lines;
-      for (const char* similarity : {"none", "stress", "bond"})
-        if (beds.has(law, similarity)) lines.emplace_back(law, similarity);
-      f.figure(over_factors(beds, fmt::format("{}-{}", quantity, law), quantity, label, lines,
+      if (!beds.has(law, "stress")) continue;
+      f.figure(over_factors(beds, fmt::format("{}-{}", quantity, law), quantity, label,
+                            {{law, "none"}, {law, "stress"}, {law, "bond"}},
                             fmt::format("Beds with cohesion: {}", law)));
     }
   }
-  for (const char* law : {"hertz", "jkr", "sjkr2", "capillary"}) f.figure(profile(beds, law));
+  for (const char* law : {"hertz", "jkr", "sjkr2", "capillary"})
+    if (beds.has(law, "stress")) f.figure(profile(beds, law));
 }
 
 }  // namespace

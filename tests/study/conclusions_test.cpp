@@ -18,9 +18,9 @@ namespace {
 
 using Made = std::function<Json(const Json& settings)>;
 
-Findings concluded(const study::Study& study, const Made& made) {
+Findings concluded(const study::Study& study, const Made& made, const study::Options& options = {}) {
   std::vector<Done> all;
-  for (const study::Point& point : study.points({})) all.push_back({point, made(point.settings)});
+  for (const study::Point& point : study.points(options)) all.push_back({point, made(point.settings)});
   Findings findings;
   study.conclude(all, findings);
   return findings;
@@ -140,6 +140,17 @@ TEST(BoxFilling, LeavesOutTheLayerThatTheSurfaceCuts) {
     return made;
   });
   EXPECT_TRUE(misses(found).empty()) << misses(found).front();
+}
+
+TEST(BoxFilling, JudgesInItsQuickFormWhatThatHas) {
+  study::Options quick;
+  quick.quick = true;
+  const Findings found = concluded(study::box_filling(), expected_bed, quick);
+  EXPECT_TRUE(misses(found).empty()) << misses(found).front();
+  // One law without cohesion, two quantities, one coarser factor; two pairs of similarities at two factors; a profile.
+  std::size_t judged = 0;
+  for (const Row& row : found.rows()) judged += row.limit.has_value();
+  EXPECT_EQ(judged, 2u + 4u + 1u);
 }
 
 TEST(BoxFilling, RefusesWhatCannotBeCompared) {
