@@ -79,6 +79,9 @@ Json compute(const Work& work) {
           {"seconds", result.at("stepping_time_s")}};
 }
 
+/// Measures of single parcels change with their size by definition: what grains would have is no limit of theirs.
+bool is_of_parcels(const std::string& name) { return name == "fill_count" || name == "contact_force_mean"; }
+
 /// Value and unit of each measure by factor: what every run has.
 struct Values {
   std::string unit;
@@ -88,6 +91,7 @@ struct Values {
 std::vector<std::pair<std::string, Values>> values_of(const std::vector<Done>& all) {
   std::vector<std::pair<std::string, Values>> list;
   for (const auto& [name, first] : all.front().result.at("measures").items()) {
+    if (is_of_parcels(name)) continue;
     Values values{first.at("unit"), {}};
     bool complete = true;
     for (const Done& done : all) {

@@ -113,6 +113,8 @@ TEST(Study, RunsACaseAtSeveralFactorsAndExtrapolatesItsMeasuresWithAnError) {
     EXPECT_NEAR(row.at("value").get<double>(), fine - 7.0 * (coarse - fine) / 2.0, 1e-9 * fine);
   }
   EXPECT_TRUE(seen) << done.out;
+  for (const Json& row : study.at("rows"))
+    EXPECT_FALSE(row.at("quantity").get<std::string>().starts_with("fill_count")) << "a number of parcels";
   EXPECT_TRUE(fs::exists(place.out + "/converge-fill-mass.csv"));
   place.folder.file("die.toml", with(small_die, "friction = 0.4", "friction = 0.5"));
   EXPECT_EQ(place.study(command).exit, 2) << "it is another case now";
