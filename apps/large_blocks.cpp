@@ -6,6 +6,7 @@
 // lists, which are made anew with other sizes now and then, would leave the heap in pieces: it grew to four times what is
 // in use. Sanitizers bring operators of their own, and do without.
 #include <algorithm>
+#include <cstdint>
 #include <cstdlib>
 #include <new>
 
@@ -21,6 +22,7 @@ constexpr std::size_t page = std::size_t{2} << 20, large = std::size_t{1} << 20;
 [[maybe_unused]] const int from_system = mallopt(M_MMAP_THRESHOLD, static_cast<int>(large));
 
 void* allocate(std::size_t size, std::size_t alignment) {
+  if (size > PTRDIFF_MAX) throw std::bad_alloc();
   if (size >= page) alignment = std::max(alignment, page);
   void* block =
       std::aligned_alloc(alignment, (std::max(size, std::size_t{1}) + alignment - 1) / alignment * alignment);

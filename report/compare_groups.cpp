@@ -93,7 +93,8 @@ Verdict compare_means(const Statistic& first, const Statistic& second) {
   if (first.count > 1 && second.count > 1) {
     const double e1 = square_of_error(first, n1), e2 = square_of_error(second, n2);
     v.error = std::sqrt(e1 + e2);
-    if (v.error > 0.0) freedom = (e1 + e2) * (e1 + e2) / (e1 * e1 / (n1 - 1.0) + e2 * e2 / (n2 - 1.0));
+    if (const double share = e1 / (e1 + e2); std::isfinite(share))
+      freedom = 1.0 / (share * share / (n1 - 1.0) + (1.0 - share) * (1.0 - share) / (n2 - 1.0));
   } else {  // the one run of a group may lie as far off as those of the other do
     const Statistic& many = first.count > 1 ? first : second;
     v.error = many.deviation * std::sqrt(1.0 / n1 + 1.0 / n2);

@@ -151,7 +151,7 @@ class Bench {
       row.times.of[k] = simulation.times().seconds().of[k] - row.times.of[k];
     row.rebuilds = simulation.rebuilds() - row.rebuilds;
     for (const auto touching : simulation.pairs().touching) row.contacts += touching;
-    row.near_pairs = simulation.pairs().slots();
+    row.near_pairs = simulation.pairs().entry.size() / 2;
     row.bytes = simulation.memory();
     add(row);
   }

@@ -68,7 +68,9 @@ def of_peer(code, law, contact, folder):
 
 
 def deviation(ours, theirs):
-    """Largest difference of vectors, each over its own length."""
+    """Largest difference of vectors, each over its own length; infinite if a number is none."""
+    if not all(map(math.isfinite, [*ours, *theirs])):
+        return math.inf
     worst = 0.0
     for at in range(0, len(ours), 3):
         scale = math.hypot(*theirs[at:at + 3])
@@ -80,4 +82,4 @@ def deviation(ours, theirs):
 def compare(code, law, contacts, folder, limit=LIMIT):
     """Rows (what, deviation of force and torques, limit)."""
     return [(f"{law}, {code}: {contact.says}", deviation(ours, of_peer(code, law, contact, folder)), limit)
-            for contact, ours in zip(contacts, of_pulvis(law, contacts))]
+            for contact, ours in zip(contacts, of_pulvis(law, contacts), strict=True)]

@@ -38,7 +38,7 @@ def build_pulvis():
     log = os.path.join(CACHE, "build.log")
     with open(log, "w", encoding="utf-8") as said:
         for command in (["cmake", "--preset", "release"],
-                        ["cmake", "--build", "--preset", "release", "--target", "peer_bed", "peer_contact", "step_time"]):
+                        ["cmake", "--build", "--preset", "release", "--target", "peer_bed", "peer_contact", "pulvis"]):
             if subprocess.run(command, cwd=ROOT, stdout=said, stderr=said, check=False).returncode != 0:
                 raise RuntimeError(f"{' '.join(command)} failed; see {log}")
 

@@ -21,25 +21,12 @@ def read_look(line):
     return dict(zip(words[2::2], map(float, words[3::2])))
 
 
-def read_step_time(text):
-    """(parcels, ns per particle-step, bytes per particle) of each line of step_time."""
-    header, rows = None, []
-    for line in text.splitlines():
-        words = line.replace("peak bytes", "peak").split()
-        if words[:1] == ["parcels"]:
-            header = words
-        elif header and len(words) == len(header):
-            row = dict(zip(header, map(float, words)))
-            rows.append((int(row["parcels"]), row["ns/step"], row["bytes"]))
-    if not rows:
-        raise RuntimeError("step_time said nothing that could be read:\n" + text[-500:])
-    return rows
-
-
-def growth(rows, small, large):
-    """Median time per particle-step of `large` beds over that of `small` ones."""
-    times = {size: [ns for parcels, ns, _ in rows if parcels == size] for size in (small, large)}
-    return median(times[large]) / median(times[small])
+def growth(bench):
+    """Time per particle-step on the largest bed that `pulvis bench --json` timed over that on the smallest."""
+    rows = bench["rows"]
+    if len({row["parcels"] for row in rows}) < 2:
+        raise RuntimeError("pulvis bench did not time two sizes")
+    return max(rows, key=lambda row: row["parcels"])["time_over_smallest_bed"]
 
 
 def ratios(slower, faster):

@@ -4,11 +4,12 @@ import contextlib
 import json
 import os
 import subprocess
+import tempfile
 import time
 
 from . import beds as make
-from .places import program, version_of
-from .summary import figure, growth, read_look, read_step_time, row
+from .places import BUILD, version_of
+from .summary import figure, growth, read_look, row
 
 PEERS = {"hertz": ("liggghts", "lammps"), "sjkr": ("liggghts",), "jkr": ("lammps",)}
 SKINS = {"bed": (0.0001, 0.00025, 0.0005), "fall": (0.00025, 0.0005, 0.001)}  # m; a radius is 0.00125
@@ -128,9 +129,12 @@ def threads(beds, rounds):
 
 def growing(cpu):
     """Time per particle-step of a million against ten thousand of the same bed."""
-    said = subprocess.run(["taskset", "-c", str(cpu), program("step_time"), "10000", "1000000", "10000"],
-                          capture_output=True, text=True, check=True)
-    return figure("time per particle-step at 10^6 over 10^4", growth(read_step_time(said.stdout), 10000, 1000000))
+    with tempfile.TemporaryDirectory(prefix="peers-") as folder:
+        rows = os.path.join(folder, "rows.json")
+        subprocess.run(["taskset", "-c", str(cpu), os.path.join(BUILD, "pulvis"), "bench", "--sizes", "1e4,1e6", "--laws", "hertz",
+                        "--threads", "1", "--json", rows], capture_output=True, text=True, check=True)
+        with open(rows, encoding="utf-8") as file:
+            return figure("time per particle-step at 10^6 over 10^4", growth(json.load(file)))
 
 
 def available():

@@ -160,11 +160,14 @@ class ShareOfSweep {
   void finish(std::size_t begin, std::size_t end) {
     constexpr std::size_t at_once = 64;
     Load sums[at_once];
-    for (std::size_t from = begin; from < end; from += at_once) {
-      const std::size_t to = std::min(end, from + at_once);
+    for (std::size_t from = begin, to = begin; from < end; from = to) {
+      for (to = from; to < end && to - from < at_once && !t_.pairs.divided(to);) ++to;
+      if (to == from) {  // what acts on it may be in the making
+        ++to;
+        continue;
+      }
       t_.evaluator.sum_close(t_.pairs, from, to, sums);
       for (std::size_t i = from; i < to; ++i) {
-        if (t_.pairs.divided(i)) continue;
         std::uint8_t& meets = t_.pairs.meets[i];
         finish(i, meets ? t_.evaluator.sum_all(t_.pairs, i) : sums[i - from]);
         meets = 0;

@@ -39,12 +39,7 @@ ITEM: ATOMS id type x radius
 1 1 0.75 0.00125
 """
 
-STEP_TIME = """avx512 kernels; settling a bed of 10000
-   parcels  threads    ns/step   Mp-steps/s   contacts       near rebuild/step        bytes   peak bytes
-     10000        1       80.0        12.50       2.41       4.50       0.0010          610         9000
-   1000000        1      120.0         8.33       2.41       4.50       0.0000          590          900
-     10000        1      100.0        10.00       2.41       4.50       0.0010          610         9000
-"""
+BENCH = {"rows": [{"parcels": 10000, "time_over_smallest_bed": 1.0}, {"parcels": 1000000, "time_over_smallest_bed": 1.4}]}
 
 
 class Texts(unittest.TestCase):
@@ -64,14 +59,14 @@ class Texts(unittest.TestCase):
         with self.assertRaisesRegex(RuntimeError, "not what peer_bed says"):
             summary.read_look("peers: done")
 
-    def test_step_time_is_read_line_by_line(self):
-        self.assertEqual(summary.read_step_time(STEP_TIME),
-                         [(10000, 80.0, 610.0), (1000000, 120.0, 590.0), (10000, 100.0, 610.0)])
-        with self.assertRaisesRegex(RuntimeError, "nothing that could be read"):
-            summary.read_step_time("avx512 kernels; settling a bed of 10000\n")
+    def test_growth_is_that_of_the_largest_bed(self):
+        self.assertEqual(summary.growth(BENCH), 1.4)
+        with self.assertRaisesRegex(RuntimeError, "two sizes"):
+            summary.growth({"rows": BENCH["rows"][:1]})
 
-    def test_growth_is_that_of_medians(self):
-        self.assertAlmostEqual(summary.growth(summary.read_step_time(STEP_TIME), 10000, 1000000), 120.0 / 90.0)
+    def test_numbers_that_are_none_are_no_agreement(self):
+        self.assertEqual(contacts.deviation([1.0, 0.0, float("nan")], [1.0, 0.0, 0.0]), float("inf"))
+        self.assertEqual(contacts.deviation([1.0, 0.0, 0.0], [1.0, 0.0, 0.0]), 0.0)
 
     def test_spheres_are_written_to_the_last_digit(self):
         with tempfile.TemporaryDirectory() as folder:
