@@ -33,11 +33,12 @@ void say(const std::string& line) {
 Model model_of(const Wanted& wanted, const peers::PeerLaw& law, double width) {
   Model model = scenes::yardstick_model(law.stuff, law.parts, width, wanted.height);
   model.classes = ContactClasses(2);
-  model.classes.set(0, 0, scenes::contact_class(law.pair(), law.parts));
+  model.classes.set(0, 0, scenes::contact_class(scenes::material_pair(law.stuff, law.stuff), law.parts));
   // The floor is not sticky (LAMMPS's jkr soon makes numbers that are none there); with W = 0 jkr is Hertz.
   peers::PeerLaw floor = law;
   floor.stuff.work_of_adhesion = 0.0;
-  model.classes.set(0, 1, scenes::contact_class(floor.pair(), floor.parts));
+  model.classes.set(0, 1,
+                    scenes::contact_class(scenes::material_pair(floor.stuff, floor.stuff), floor.parts));
   for (Surface& surface : model.walls.surfaces) surface.species = 1;
   return model;
 }

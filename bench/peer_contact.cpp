@@ -53,7 +53,8 @@ laws::Touch touch_of(const Question& q, double density) {
 
 void answer(const Question& q, const peers::PeerLaw& peer) {
   const laws::Law law = scenes::law_of(peer.parts);
-  const laws::PairConstants constants = law.mix(peer.pair(), peer.parts.choices);
+  const laws::PairConstants constants =
+      law.mix(scenes::material_pair(peer.stuff, peer.stuff), peer.parts.choices);
   laws::Touch touch = touch_of(q, peer.stuff.density);
   laws::Response r{};
   for (int k = 0; k < q.steps; ++k) {

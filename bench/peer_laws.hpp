@@ -11,13 +11,6 @@ namespace pulvis::peers {
 struct PeerLaw {
   scenes::Stuff stuff;
   scenes::LawParts parts;
-  double cohesion_energy_density = 0.0;  ///< J/m^3
-
-  laws::MaterialPair pair() const {
-    laws::MaterialPair pair = scenes::material_pair(stuff, stuff);
-    pair.cohesion_energy_density = cohesion_energy_density;
-    return pair;
-  }
 };
 
 /// hertz, sjkr or jkr. Friction is limited by what limits it in the peers: with hertz and sjkr the normal force
@@ -26,7 +19,7 @@ inline std::optional<PeerLaw> peer_law(const std::string& name) {
   PeerLaw law;
   if (name == "hertz" || name == "sjkr") {
     law.parts.choices.limit_includes_dashpot = true;
-    if (name == "sjkr") law.parts.cohesion = "sjkr", law.cohesion_energy_density = 1e4;
+    if (name == "sjkr") law.parts.cohesion = "sjkr", law.stuff.cohesion_energy_density = 1e4;
   } else if (name == "jkr") {
     law.parts.normal = "jkr";
     law.parts.choices.damping_on_jkr_radius = true;

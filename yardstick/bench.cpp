@@ -74,12 +74,23 @@ double now(int threads_used) {
   return threads_used == 1 ? static_cast<double>(std::clock()) / CLOCKS_PER_SEC : seconds_now();
 }
 
+/// How many beds of `tile` parcels lie side by side along each axis for about `size`.
+std::uint32_t tiles_for(std::size_t size, std::size_t tile) {
+  const double share = static_cast<double>(size) / static_cast<double>(tile);
+  return static_cast<std::uint32_t>(std::max(1L, std::lround(std::sqrt(share))));
+}
+
+/// Parcels of the bed that all sizes are made of.
+std::size_t tile_of(const Request& request) {
+  return std::min(*std::min_element(request.sizes.begin(), request.sizes.end()), largest_tile);
+}
+
 class Bench {
  public:
   explicit Bench(const Request& request)
       : request_(request), progress_(ProgressOptions::for_stderr()), sizes_(request.sizes) {
     std::sort(sizes_.begin(), sizes_.end());
-    tile_ = std::min(sizes_.front(), largest_tile);
+    tile_ = tile_of(request);
     width_ =
         width_of_largest_tile * std::sqrt(static_cast<double>(tile_) / static_cast<double>(largest_tile));
     write();  // if it cannot be written, that is better known now
@@ -119,8 +130,7 @@ class Bench {
   }
 
   void time_bed(const LawOfBed& law, const State& settled, std::size_t size, int threads) {
-    const auto tiles = static_cast<std::uint32_t>(
-        std::max(1L, std::lround(std::sqrt(static_cast<double>(size) / static_cast<double>(tile_)))));
+    const std::uint32_t tiles = tiles_for(size, tile_);
     Model model = scenes::yardstick_model(law.stuff, law.parts, width_ * tiles, height);
     model.energy_ledger = request_.energy;
     Simulation simulation(model, scenes::tiled(settled, width_, tiles), threads);
@@ -194,7 +204,11 @@ std::vector<KnownLaw> known_laws() {
 
 void bench(const Request& request) {
   for (const std::string& name : request.laws) law_named(name);
-  for (const std::size_t size : request.sizes) require_room_for(size);
+  const std::size_t tile = tile_of(request);
+  for (const std::size_t size : request.sizes) {
+    const std::size_t tiles = tiles_for(size, tile);
+    require_room_for(tiles * tiles * tile);
+  }
   Bench(request).run();
 }
 

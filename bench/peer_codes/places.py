@@ -13,23 +13,15 @@ PROGRAMS = {"liggghts": "liggghts", "lammps": "lmp"}  # package: program
 
 def install_peers():
     """Installs what is missing of the peers; raises RuntimeError where that cannot be done."""
-    missing = [package for package, program in PROGRAMS.items() if not shutil.which(program)]
-    if not missing:
+    def missing():
+        return [package for package, program in PROGRAMS.items() if not shutil.which(program)]
+
+    if not missing():
         return
-    by_hand = f"apt-get update && apt-get install --no-install-recommends {' '.join(missing)}"
-    if not shutil.which("apt-get"):
-        raise RuntimeError(f"not installed: {', '.join(missing)}. This is no Debian system: install LIGGGHTS 3.8.0 "
-                           "(program liggghts) and LAMMPS 20220106 (program lmp) with its package GRANULAR")
-    as_root = [] if os.geteuid() == 0 else ["sudo"]
-    if as_root and not shutil.which("sudo"):
-        raise RuntimeError(f"these packages are missing and need root (there is no sudo here). As root, run:\n  {by_hand}")
-    print(f"peers: installing {' '.join(missing)}", flush=True)
-    quiet = {**os.environ, "DEBIAN_FRONTEND": "noninteractive"}
-    subprocess.run([*as_root, "apt-get", "update", "-qq"], env=quiet, check=False)
-    install = [*as_root, "apt-get", "install", "-y", "-qq", "--no-install-recommends", *missing]
-    if subprocess.run(install, env=quiet, stdout=subprocess.DEVNULL, check=False).returncode != 0:
-        raise RuntimeError(f"apt-get could not install {' '.join(missing)}: is there a network, and is this Debian 12?\n"
-                           f"  {by_hand}")
+    subprocess.run([os.path.join(ROOT, "tools", "setup"), *missing()], check=False)  # says itself what goes wrong
+    if missing():
+        raise RuntimeError(f"not installed: {', '.join(missing())}. Needed are LIGGGHTS 3.8.0 (program liggghts) and LAMMPS "
+                           "20220106 (program lmp) with its package GRANULAR")
 
 
 def build_pulvis():

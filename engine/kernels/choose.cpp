@@ -33,6 +33,12 @@ InstructionSet best_of_processor() {
   return InstructionSet::baseline;
 }
 
+/// That of three which was compiled for this set.
+template <class Thing>
+Thing for_set(InstructionSet set, Thing baseline, Thing avx2, Thing avx512) {
+  return set == InstructionSet::avx512 ? avx512 : set == InstructionSet::avx2 ? avx2 : baseline;
+}
+
 }  // namespace
 
 InstructionSet instruction_set() {
@@ -45,52 +51,16 @@ InstructionSet instruction_set() {
   return best;
 }
 
-const char* name_of(InstructionSet set) {
-  switch (set) {
-    case InstructionSet::avx512:
-      return "avx512";
-    case InstructionSet::avx2:
-      return "avx2";
-    case InstructionSet::baseline:
-      break;
-  }
-  return "baseline";
-}
+const char* name_of(InstructionSet set) { return for_set(set, "baseline", "avx2", "avx512"); }
 
 ContactKernel contact_kernel(const laws::Law& law, InstructionSet set) {
-  switch (set) {
-    case InstructionSet::avx512:
-      return avx512::contact_kernel(law);
-    case InstructionSet::avx2:
-      return avx2::contact_kernel(law);
-    case InstructionSet::baseline:
-      break;
-  }
-  return baseline::contact_kernel(law);
+  return for_set(set, baseline::contact_kernel, avx2::contact_kernel, avx512::contact_kernel)(law);
 }
-
 SumOfPairs sum_of_pairs(InstructionSet set) {
-  switch (set) {
-    case InstructionSet::avx512:
-      return avx512::sum_of_pairs();
-    case InstructionSet::avx2:
-      return avx2::sum_of_pairs();
-    case InstructionSet::baseline:
-      break;
-  }
-  return baseline::sum_of_pairs();
+  return for_set(set, baseline::sum_of_pairs, avx2::sum_of_pairs, avx512::sum_of_pairs)();
 }
-
 EnergyKernel energy_kernel(const laws::Law& law, InstructionSet set) {
-  switch (set) {
-    case InstructionSet::avx512:
-      return avx512::energy_kernel(law);
-    case InstructionSet::avx2:
-      return avx2::energy_kernel(law);
-    case InstructionSet::baseline:
-      break;
-  }
-  return baseline::energy_kernel(law);
+  return for_set(set, baseline::energy_kernel, avx2::energy_kernel, avx512::energy_kernel)(law);
 }
 
 }  // namespace pulvis::kernels
