@@ -115,7 +115,7 @@ void stage_wall(ContactBlock& b, std::uint32_t slot, const Parcel& p, const Wall
 }  // namespace
 
 ContactEvaluator::ContactEvaluator(int most_threads, std::size_t classes, double approach)
-    : sum_(kernels::sum_of_pairs(kernels::instruction_set())), approach_(approach) {
+    : parcel_kernel_(kernels::parcel_kernel(kernels::instruction_set())), approach_(approach) {
   scratch_.resize(static_cast<std::size_t>(std::max(most_threads, 1)));
   for (auto& s : scratch_) s.block.resize(classes), s.cursors.resize(2 * classes);
 }

@@ -7,6 +7,7 @@
 #include "engine/contacts/near_pairs.hpp"
 #include "engine/contacts/near_walls.hpp"
 #include "engine/contacts/wall_sight.hpp"
+#include "engine/kernels/parcel_block.hpp"
 
 namespace pulvis {
 
@@ -30,15 +31,15 @@ class ContactEvaluator {
              std::size_t begin, const Images& images, double dt, int part);
   /// What pairs do to the parcels from `from` to `to`, but for those apart; and what all near pairs do to one.
   void sum_close(const NearPairs& near, std::size_t from, std::size_t to, Load* sum) const {
-    sum_(near.load.data(), near.first_apart(), near.slots(), near.begin.data(), near.entry.data(), from, to,
-         sum);
+    parcel_kernel_.sum_of_pairs(loads(near, near.first_apart()), from, to, sum);
   }
   Load sum_all(const NearPairs& near, std::size_t parcel) const {
     Load sum;
-    sum_(near.load.data(), near.slots(), near.slots(), near.begin.data(), near.entry.data(), parcel,
-         parcel + 1, &sum);
+    parcel_kernel_.sum_of_pairs(loads(near, near.slots()), parcel, parcel + 1, &sum);
     return sum;
   }
+  /// Takes parcels from the end of one step to the middle of the next.
+  kernels::MoveParcels move() const { return parcel_kernel_.move; }
   /// How far a part of the work is in the slots of each group: for whoever leads it.
   std::vector<std::size_t>& cursors(int part) { return scratch_[static_cast<std::size_t>(part)].cursors; }
   /// Fills `crossings`, ascending in the parcel's index.
@@ -54,11 +55,14 @@ class ContactEvaluator {
     std::vector<WallSight> sights;     ///< of one parcel, per slot
     std::vector<std::uint32_t> owner;  ///< of one parcel, per slot: see settle_edges
   };
+  static kernels::LoadsOfPairs loads(const NearPairs& near, std::size_t slot_end) {
+    return {near.load.data(), slot_end, near.slots(), near.begin.data(), near.entry.data()};
+  }
   void settle_edges(NearWalls& near, std::uint32_t parcel, const Parcel& p, const Walls& walls,
                     std::span<const Pose> poses, Scratch& scratch) const;
 
   std::vector<Scratch> scratch_;
-  kernels::SumOfPairs sum_;
+  kernels::ParcelKernel parcel_kernel_;
   double approach_ = 0.0;
 };
 

@@ -172,7 +172,7 @@ void NearPairs::assign_slots(const Parcels& parcels, const ContactClasses& class
   load.assign(slot_count + 2, {});
   springs.assign(block_count, {});
   memory.assign(remembers ? block_count : 0, {});
-  entry.assign(partner_.size(), 0);
+  entry.assign(partner_.size() + kernels::entries_at_once, 0);
   parallel_shares(count, threads, [&](std::size_t from, std::size_t to, int) {
     for (std::size_t i = from; i < to; ++i)
       for (std::uint32_t k = begin[i]; k < begin[i + 1]; ++k) {

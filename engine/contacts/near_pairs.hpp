@@ -8,6 +8,7 @@
 #include "engine/contacts/cell_grid.hpp"
 #include "engine/contacts/contact_classes.hpp"
 #include "engine/contacts/touching.hpp"
+#include "engine/kernels/parcel_block.hpp"
 #include "engine/parcels/parcels.hpp"
 
 namespace pulvis {
@@ -88,7 +89,7 @@ class NearPairs {
 
   // Per parcel: entries [begin[k], begin[k + 1]) of `entry`, partners' ids ascending.
   std::vector<std::uint32_t> begin;
-  std::vector<std::uint32_t> entry;  ///< 2 slot + (1 if the parcel is the second)
+  std::vector<std::uint32_t> entry;  ///< 2 slot + (1 if the parcel is the second); a few more at the end
   std::vector<std::uint8_t> meets;   ///< touches one of those that were apart, in this step
 
  private:

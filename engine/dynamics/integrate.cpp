@@ -2,6 +2,7 @@
 #include "engine/dynamics/integrate.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 #include "engine/base/parallel.hpp"
@@ -98,17 +99,13 @@ PULVIS_INLINE void begin_one(Parcel& p, const Load& load, const StepBeginning& b
   notice.stale |= dot(since, since) > margin * margin || margin < 0.0;
 }
 
-/// What acts on parcel `i` at the end of a step: pairs (by the partner's id), walls by surface, body forces.
-PULVIS_INLINE Load sum_of_all(const Parcel& p, std::size_t i, const Load& of_pairs, const NearWalls& walls,
-                              const ForceField& field) {
-  Load sum = of_pairs;
+/// What walls do to parcel `i`, by surface, is added to `sum`.
+PULVIS_INLINE void add_walls(std::size_t i, const NearWalls& walls, Load& sum) {
   for (std::uint32_t slot = walls.begin[i]; slot < walls.begin[i + 1]; ++slot) {
     if (!walls.touching[slot]) continue;
     sum.force += walls.load[slot].force;
     sum.torque += walls.load[slot].torque;
   }
-  sum.force += p.mass * field.at(p.position);
-  return sum;
 }
 
 StepNotice all_of(const std::vector<StepNotice>& notices) {
@@ -126,7 +123,15 @@ StepNotice all_of(const std::vector<StepNotice>& notices) {
 class ShareOfSweep {
  public:
   ShareOfSweep(SweptThings& things, const SweepFields& fields, const StepBeginning* next, int part)
-      : t_(things), fields_(fields), next_(next), part_(part) {}
+      : t_(things), fields_(fields), next_(next), part_(part) {
+    if (next && !fields.end.rotating && !next->field.rotating && !next->shear.slide.any())
+      plain_ = {next->box.min,
+                next->box.max,
+                {next->box.periodic[0], next->box.periodic[1], next->box.periodic[2]},
+                fields.end.gravity,
+                fields.dt,
+                next->drift};
+  }
 
   /// Evaluates blocks and finishes parcels in turn. A parcel is done with once the slots of all that stand before it
   /// in the store, and its own, are evaluated: nobody asks for its place or velocity after that.
@@ -149,7 +154,11 @@ class ShareOfSweep {
   void finish_divided() {
     const auto [from, to] = t_.pairs.share(part_);
     for (std::size_t i = from; i < to; ++i)
-      if (t_.pairs.divided(i)) finish(i, t_.evaluator.sum_all(t_.pairs, i));
+      if (t_.pairs.divided(i)) {
+        Load sum = t_.evaluator.sum_all(t_.pairs, i);
+        add_walls(i, t_.walls, sum);
+        finish(i, i + 1, &sum);
+      }
   }
 
   StepNotice notice;
@@ -168,16 +177,27 @@ class ShareOfSweep {
       }
       t_.evaluator.sum_close(t_.pairs, from, to, sums);
       for (std::size_t i = from; i < to; ++i) {
+        Load& sum = sums[i - from];
         std::uint8_t& meets = t_.pairs.meets[i];
-        finish(i, meets ? t_.evaluator.sum_all(t_.pairs, i) : sums[i - from]);
-        meets = 0;
+        if (meets) sum = t_.evaluator.sum_all(t_.pairs, i), meets = 0;
+        add_walls(i, t_.walls, sum);
       }
+      finish(from, to, sums);
     }
   }
 
-  void finish(std::size_t i, const Load& of_pairs) {
+  /// Parcels from `from` to `to`, `loads` being what acts on them but for body forces.
+  void finish(std::size_t from, std::size_t to, const Load* loads) {
+    if (plain_)
+      t_.evaluator.move()(*plain_, to - from, &t_.parcels.body[from], loads, &t_.reference[from],
+                          &t_.margin[from], notice);
+    else
+      for (std::size_t i = from; i < to; ++i) finish(i, loads[i - from]);
+  }
+
+  void finish(std::size_t i, Load sum) {
     Parcel& p = t_.parcels.body[i];
-    const Load sum = sum_of_all(p, i, of_pairs, t_.walls, fields_.end);
+    sum.force += p.mass * fields_.end.at(p.position);
     if (fields_.end.rotating)
       kick_rotating_last(p, sum, fields_.end, 0.5 * fields_.dt);
     else
@@ -191,6 +211,7 @@ class ShareOfSweep {
   SweptThings& t_;
   const SweepFields& fields_;
   const StepBeginning* next_;
+  std::optional<kernels::PlainStep> plain_;  ///< where most steps are: the same as finishing parcels one by one, faster
   int part_;
 };
 

@@ -11,13 +11,7 @@
 
 namespace pulvis {
 
-/// What the first half of a step noticed.
-struct StepNotice {
-  bool outside = false;   ///< a position is outside the box, or it or a spin is not a finite number
-  bool too_fast = false;  ///< a parcel moved more than half its radius in one step
-  bool stale = false;     ///< a parcel left the margin the lists were made for
-  bool wrapped = false;   ///< a parcel came back at the other end of a periodic axis
-};
+using kernels::StepNotice;
 
 /// What a step of a sheared box needs besides; of others, what it is by default.
 struct ShearedStep {

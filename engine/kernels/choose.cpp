@@ -4,23 +4,24 @@
 
 #include "engine/kernels/contact_block.hpp"
 #include "engine/kernels/energy_block.hpp"
+#include "engine/kernels/parcel_block.hpp"
 
 namespace pulvis::kernels {
 
 namespace baseline {
 ContactKernel contact_kernel(const laws::Law& law);
 EnergyKernel energy_kernel(const laws::Law& law);
-SumOfPairs sum_of_pairs();
+ParcelKernel parcel_kernel();
 }  // namespace baseline
 namespace avx2 {
 ContactKernel contact_kernel(const laws::Law& law);
 EnergyKernel energy_kernel(const laws::Law& law);
-SumOfPairs sum_of_pairs();
+ParcelKernel parcel_kernel();
 }  // namespace avx2
 namespace avx512 {
 ContactKernel contact_kernel(const laws::Law& law);
 EnergyKernel energy_kernel(const laws::Law& law);
-SumOfPairs sum_of_pairs();
+ParcelKernel parcel_kernel();
 }  // namespace avx512
 
 namespace {
@@ -56,8 +57,8 @@ const char* name_of(InstructionSet set) { return for_set(set, "baseline", "avx2"
 ContactKernel contact_kernel(const laws::Law& law, InstructionSet set) {
   return for_set(set, baseline::contact_kernel, avx2::contact_kernel, avx512::contact_kernel)(law);
 }
-SumOfPairs sum_of_pairs(InstructionSet set) {
-  return for_set(set, baseline::sum_of_pairs, avx2::sum_of_pairs, avx512::sum_of_pairs)();
+ParcelKernel parcel_kernel(InstructionSet set) {
+  return for_set(set, baseline::parcel_kernel, avx2::parcel_kernel, avx512::parcel_kernel)();
 }
 EnergyKernel energy_kernel(const laws::Law& law, InstructionSet set) {
   return for_set(set, baseline::energy_kernel, avx2::energy_kernel, avx512::energy_kernel)(law);

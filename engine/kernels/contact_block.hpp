@@ -136,13 +136,6 @@ class ContactKernel {
   int law_stages = 0;
 };
 
-/// Sums what contacts do to each parcel from `from` to `to`; those of slots from `slot_end` on count as the load in slot
-/// `nothing`, which is zero. `entry[begin[i]]` to `entry[begin[i + 1]]` are the contacts of parcel i in the order they
-/// are added in: 2 slot, + 1 if it is the second. sum[0] is that of `from`.
-using SumOfPairs = void (*)(const PairLoad* load, std::size_t slot_end, std::size_t nothing,
-                            const std::uint32_t* begin, const std::uint32_t* entry, std::size_t from,
-                            std::size_t to, Load* sum);
-
 /// Instruction sets the kernels are compiled for.
 enum class InstructionSet { baseline, avx2, avx512 };
 
@@ -153,6 +146,5 @@ const char* name_of(InstructionSet);
 
 /// Kernel of a law. `set` must be one the processor has.
 ContactKernel contact_kernel(const laws::Law& law, InstructionSet set);
-SumOfPairs sum_of_pairs(InstructionSet set);
 
 }  // namespace pulvis::kernels

@@ -14,30 +14,7 @@ namespace PULVIS_ISA {
 
 // --- between the store and the lanes ----------------------------------------------------------------------
 //
-// Records are read and written whole and turned into lanes by 4 x 4 transposes in registers: that moves numbers and
-// computes none, so it is the same on every processor.
-
-PULVIS_INLINE void transpose(Four& a, Four& b, Four& c, Four& d) {
-  const Four ab_even = __builtin_shufflevector(a, b, 0, 4, 2, 6),
-             ab_odd = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-  const Four cd_even = __builtin_shufflevector(c, d, 0, 4, 2, 6),
-             cd_odd = __builtin_shufflevector(c, d, 1, 5, 3, 7);
-  a = __builtin_shufflevector(ab_even, cd_even, 0, 1, 4, 5);
-  b = __builtin_shufflevector(ab_odd, cd_odd, 0, 1, 4, 5);
-  c = __builtin_shufflevector(ab_even, cd_even, 2, 3, 6, 7);
-  d = __builtin_shufflevector(ab_odd, cd_odd, 2, 3, 6, 7);
-}
-
-/// Four numbers of each of four parcels, from `part` on, as four lanes.
-struct Quartet {
-  Four a, b, c, d;
-};
-PULVIS_INLINE Quartet quartet(const double* const (&record)[4], int part) {
-  Quartet q{four_at(record[0] + part), four_at(record[1] + part), four_at(record[2] + part),
-            four_at(record[3] + part)};
-  transpose(q.a, q.b, q.c, q.d);
-  return q;
-}
+// Records are read and written whole and turned into lanes in registers (engine/math/four.hpp).
 
 static_assert(sizeof(Parcel) == 12 * sizeof(double));
 static_assert(offsetof(Parcel, radius) == 3 * sizeof(double) &&
@@ -110,25 +87,6 @@ static void scatter(const ContactBlock& b, PairLoad* result) {
   }
   for (; k < b.count; ++k) result[k] = {load(b.force, k), load(b.torque_first, k), load(b.torque_second, k)};
 }
-
-/// Three numbers are taken as four, whose last nobody asks for. To add a zero is quicker than to find out whether to.
-static void sum_pairs(const PairLoad* load, std::size_t slot_end, std::size_t nothing,
-                      const std::uint32_t* begin, const std::uint32_t* entry, std::size_t from,
-                      std::size_t to, Load* sum) {
-  constexpr double sign[2] = {1.0, -1.0};
-  for (std::size_t i = from; i < to; ++i) {
-    Four force{}, torque{};
-    for (std::uint32_t k = begin[i]; k < begin[i + 1]; ++k) {
-      const std::uint32_t side = entry[k] & 1u;
-      const std::size_t slot = entry[k] >> 1;
-      const double* of_slot = &load[slot < slot_end ? slot : nothing].force.x;
-      force += sign[side] * four_at(of_slot);
-      torque += four_at(of_slot + 3 + 3 * side);
-    }
-    *sum++ = {{force[0], force[1], force[2]}, {torque[0], torque[1], torque[2]}};
-  }
-}
-SumOfPairs sum_of_pairs() { return sum_pairs; }
 
 static bool any_in_reach(const ContactBlock& b, double approach) {
   const int count = b.count;

@@ -33,7 +33,35 @@ Vec3 Simulation::common_velocity() const {
   return common;
 }
 
-void Simulation::choose_margins() {
+/// How fast each parcel is, m/s, against what all do together, or the fastest of what it could meet before the lists are
+/// made anew: it may take that speed over when they collide. Those are in the lists as they were.
+std::vector<double> Simulation::expected_speeds(std::span<const std::uint32_t> old_index) const {
+  const std::size_t count = state_.parcels.size(), old_count = pairs_.begin.empty() ? 0 : pairs_.begin.size() - 1;
+  std::vector<double> speed(count), old_speed(old_count, 0.0);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Parcel& p = state_.parcels.body[i];
+    const Vec3 own = p.velocity - drift_velocity_ - model_.domain.flow_velocity(p.position);
+    speed[i] = norm(own) + 0.5 * magnitude(model_.domain.shear.rate) * p.radius;
+    if (old_index[i] < old_count) old_speed[old_index[i]] = speed[i];
+  }
+  std::vector<double> expected = old_speed;
+  for (std::size_t slot = 0; slot < pairs_.slots(); ++slot) {
+    const std::uint32_t i = pairs_.first[slot], j = pairs_.second[slot];
+    expected[i] = greatest(expected[i], old_speed[j]);
+    expected[j] = greatest(expected[j], old_speed[i]);
+  }
+  std::vector<double> of_body(poses_.size());
+  for (std::size_t b = 0; b < of_body.size(); ++b) of_body[b] = speed_against_drift(b);
+  for (std::size_t slot = 0; slot < walls_.slots(); ++slot) {
+    double& of_parcel = expected[walls_.parcel[slot]];
+    of_parcel = greatest(of_parcel, of_body[model_.walls.surfaces[walls_.surface[slot]].body]);
+  }
+  for (std::size_t i = 0; i < count; ++i)
+    if (old_index[i] < old_count) speed[i] = expected[old_index[i]];
+  return speed;
+}
+
+void Simulation::choose_margins(std::span<const std::uint32_t> old_index) {
   // Fast parcels get wide margins and slow ones narrow ones: in a filling die the dense bed is slow and the
   // fast rain is dilute, so lists stay short where there are many parcels.
   // No margin is less than the way of the next step (up to 0.5 radius): contacts must end by their law only.
@@ -41,12 +69,11 @@ void Simulation::choose_margins() {
   drift_ = {};
   drift_velocity_ = model_.domain.shear.any() ? Vec3{} : common_velocity();
   margin_.resize(state_.parcels.size());
+  const std::vector<double> speed = expected_speeds(old_index);
   for (std::size_t i = 0; i < margin_.size(); ++i) {
-    const Parcel& p = state_.parcels.body[i];
-    const Vec3 own = p.velocity - drift_velocity_ - model_.domain.flow_velocity(p.position);
-    const double wish = (norm(own) + 0.5 * magnitude(model_.domain.shear.rate) * p.radius) * model_.dt *
-                        steps_between_rebuilds / p.radius;
-    margin_[i] = p.radius * std::clamp(1.2 * wish + least, least, most);
+    const double radius = state_.parcels.body[i].radius;
+    const double wish = speed[i] * model_.dt * steps_between_rebuilds / radius;
+    margin_[i] = radius * std::clamp(1.2 * wish + least, least, most);
   }
   body_margin_.resize(poses_.size());
   for (std::size_t b = 0; b < poses_.size(); ++b)
@@ -128,7 +155,7 @@ void Simulation::rebuild() {
 std::vector<std::uint32_t> Simulation::rebuild(const TouchingList& old_pairs, const TouchingList& old_walls,
                                                std::vector<std::uint32_t> old_index) {
   if (rebuilds_++ % rebuilds_between_sorts == 0) sort_along_space(old_index);
-  choose_margins();
+  choose_margins(old_index);
   const std::size_t count = state_.parcels.size();
   reference_.resize(count);
   for (std::size_t i = 0; i < count; ++i) reference_[i] = state_.parcels.body[i].position;

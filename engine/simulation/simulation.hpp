@@ -136,7 +136,8 @@ class Simulation {
   void rebuild();
   /// 0, 1, 2... : the index of each parcel where the store keeps its order.
   static std::vector<std::uint32_t> same_order(std::size_t count);
-  void choose_margins();
+  std::vector<double> expected_speeds(std::span<const std::uint32_t> old_index) const;
+  void choose_margins(std::span<const std::uint32_t> old_index);
   bool a_body_left_its_margin() const;
   void sort_along_space(std::vector<std::uint32_t>& old_index);
 

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <cstddef>
+#include <cstdint>
+
+#include "engine/kernels/contact_block.hpp"
+#include "engine/parcels/domain.hpp"
+#include "engine/parcels/parcels.hpp"
+
+namespace pulvis::kernels {
+
+/// Loads of the slots, and which of them each parcel has: entry[begin[i]] to entry[begin[i + 1]] are those of parcel i in
+/// the order they are added in, each 2 slot, + 1 if the parcel is the second. Behind the last entry there are at least
+/// `entries_at_once` more that may be read and mean nothing.
+struct LoadsOfPairs {
+  const PairLoad* load;
+  std::size_t slot_end;  ///< slots from here on count as
+  std::size_t nothing;   ///< this one, whose load is zero
+  const std::uint32_t* begin;
+  const std::uint32_t* entry;
+};
+inline constexpr std::size_t entries_at_once = 8;
+
+/// Sums what pairs do to each parcel from `from` to `to`; sum[0] is that of `from`.
+using SumOfPairs = void (*)(const LoadsOfPairs& pairs, std::size_t from, std::size_t to, Load* sum);
+
+/// What the first half of a step noticed.
+struct StepNotice {
+  bool outside = false;   ///< a position is outside the box, or it or a spin is not a finite number
+  bool too_fast = false;  ///< a parcel moved more than half its radius in one step
+  bool stale = false;     ///< a parcel left the margin the lists were made for
+  bool wrapped = false;   ///< a parcel came back at the other end of a periodic axis
+};
+
+/// What takes parcels from the end of one step to the middle of the next where nothing turns and nothing is sheared.
+struct PlainStep {
+  Vec3 low, high;    ///< m, of the domain
+  bool periodic[3];  ///< axes
+  Vec3 gravity;      ///< m/s^2
+  double dt;         ///< s
+  Vec3 drift;        ///< m, which the margins do not count
+};
+
+/// Up to block_size parcels: the second half of one step and the first half of the next, as finish and begin_one in
+/// engine/dynamics/integrate.cpp make them for one parcel. `load` is what acts on them but for gravity.
+using MoveParcels = void (*)(const PlainStep& step, std::size_t count, Parcel* parcels, const Load* load,
+                             Vec3* reference, const double* margin, StepNotice& notice);
+
+struct ParcelKernel {
+  SumOfPairs sum_of_pairs;
+  MoveParcels move;
+};
+ParcelKernel parcel_kernel(InstructionSet set);
+
+}  // namespace pulvis::kernels

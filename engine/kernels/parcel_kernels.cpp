@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+// Compiled once per instruction set, as contact_kernels.cpp.
+#include "engine/kernels/parcel_block.hpp"
+#include "engine/math/four.hpp"
+
+namespace pulvis::kernels {
+namespace PULVIS_ISA {
+
+/// Three numbers are taken as four, whose last nobody asks for. To add zeros is quicker than to find out whether to, and
+/// to have as many summands for all parcels quicker than for the processor to guess how many there are: most have
+/// fewer than are taken at once.
+static void sum_pairs(const LoadsOfPairs& pairs, std::size_t from, std::size_t to, Load* sum) {
+  constexpr double sign[2] = {1.0, -1.0};
+  const PairLoad* const load = pairs.load;
+  const std::size_t slot_end = pairs.slot_end, nothing = pairs.nothing;
+  for (std::size_t i = from; i < to; ++i) {
+    Four force{}, torque{};
+    const std::size_t end = pairs.begin[i + 1];
+    for (std::size_t k = pairs.begin[i]; k < end; k += entries_at_once) {
+      for (std::size_t j = 0; j < entries_at_once; ++j) {
+        const std::uint32_t entry = pairs.entry[k + j], side = entry & 1u;
+        const std::size_t slot = entry >> 1;
+        const bool counts = (k + j < end) & (slot < slot_end);
+        const double* of_slot = &load[counts ? slot : nothing].force.x;
+        force += sign[side] * four_at(of_slot);
+        torque += four_at(of_slot + 3 + 3 * side);
+      }
+    }
+    *sum++ = {{force[0], force[1], force[2]}, {torque[0], torque[1], torque[2]}};
+  }
+}
+
+/// Parcels in lanes.
+struct ParcelLanes {
+  Lanes3 position, velocity, spin, force, torque, reference;
+  alignas(64) Lane radius, mass, margin, names;  ///< names: id and species, which only pass through
+};
+
+static void read(ParcelLanes& b, std::size_t count, const Parcel* parcels, const Load* load,
+                 const Vec3* reference, const double* margin) {
+  for (std::size_t k = 0; k < count; k += 4) {
+    const double *p[4], *f[4];
+    for (std::size_t j = 0; j < 4; ++j) {
+      const std::size_t lane = k + j < count ? k + j : count - 1;  // what is left over repeats the last
+      p[j] = &parcels[lane].position.x;
+      f[j] = &load[lane].force.x;
+    }
+    const Quartet place = quartet(p, 0), velocity = quartet(p, 4), spin = quartet(p, 8);
+    const Quartet force = quartet(f, 0), torque = quartet(f, 2);
+    put_four(b.position.x + k, place.a), put_four(b.position.y + k, place.b);
+    put_four(b.position.z + k, place.c), put_four(b.radius + k, place.d);
+    put_four(b.velocity.x + k, velocity.a), put_four(b.velocity.y + k, velocity.b);
+    put_four(b.velocity.z + k, velocity.c), put_four(b.mass + k, velocity.d);
+    put_four(b.spin.x + k, spin.a), put_four(b.spin.y + k, spin.b);
+    put_four(b.spin.z + k, spin.c), put_four(b.names + k, spin.d);
+    put_four(b.force.x + k, force.a), put_four(b.force.y + k, force.b), put_four(b.force.z + k, force.c);
+    put_four(b.torque.x + k, force.d), put_four(b.torque.y + k, torque.c), put_four(b.torque.z + k, torque.d);
+  }
+  for (std::size_t k = 0; k < count; ++k) {
+    store(b.reference, static_cast<int>(k), reference[k]);
+    b.margin[k] = margin[k];
+  }
+}
+
+static void write(const ParcelLanes& b, std::size_t count, Parcel* parcels) {
+  std::size_t k = 0;
+  for (; k + 4 <= count; k += 4) {
+    double* p[4];
+    for (std::size_t j = 0; j < 4; ++j) p[j] = &parcels[k + j].position.x;
+    put_quartet(p, 0, {four_at(b.position.x + k), four_at(b.position.y + k), four_at(b.position.z + k),
+                       four_at(b.radius + k)});
+    put_quartet(p, 4, {four_at(b.velocity.x + k), four_at(b.velocity.y + k), four_at(b.velocity.z + k),
+                       four_at(b.mass + k)});
+    put_quartet(p, 8, {four_at(b.spin.x + k), four_at(b.spin.y + k), four_at(b.spin.z + k), four_at(b.names + k)});
+  }
+  for (; k < count; ++k) {
+    const int lane = static_cast<int>(k);
+    parcels[k].position = load(b.position, lane);
+    parcels[k].velocity = load(b.velocity, lane);
+    parcels[k].spin = load(b.spin, lane);
+  }
+}
+
+/// Brings what left a periodic axis back, and its reference with it; whether any did.
+static bool wrap(double* x, double* reference, double low, double high, int count) {
+  int any = 0;
+#pragma omp simd reduction(| : any)
+  for (int k = 0; k < count; ++k) {
+    const double length = x[k] >= high ? high - low : x[k] < low ? low - high : 0.0;
+    x[k] -= length;
+    reference[k] -= length;
+    any |= length != 0.0;
+  }
+  return any != 0;
+}
+
+/// One parcel in its lane.
+PULVIS_INLINE void kick_and_drift(ParcelLanes& b, int k, const PlainStep& step, int& too_fast) {
+  const double half = 0.5 * step.dt, mass = b.mass[k], radius = b.radius[k];
+  const double by_mass = half / mass, by_inertia = half / (0.4 * mass * (radius * radius));
+  const Vec3 change = by_mass * (load(b.force, k) + mass * step.gravity);
+  const Vec3 turn = by_inertia * load(b.torque, k);
+  const Vec3 velocity = (load(b.velocity, k) + change) + change;
+  store(b.velocity, k, velocity);
+  store(b.spin, k, (load(b.spin, k) + turn) + turn);
+  const Vec3 move = step.dt * velocity;
+  store(b.position, k, load(b.position, k) + move);
+  too_fast |= dot(move, move) > 0.25 * (radius * radius);
+}
+
+PULVIS_INLINE void inspect(const ParcelLanes& b, int k, const PlainStep& step, int& outside, int& stale) {
+  const Vec3 x = load(b.position, k), spin = load(b.spin, k);
+  const Vec3 since = x - load(b.reference, k) - step.drift;
+  const double margin = b.margin[k];
+  const int inside = (x.x >= step.low.x) & (x.x <= step.high.x) & (x.y >= step.low.y) & (x.y <= step.high.y) &
+                     (x.z >= step.low.z) & (x.z <= step.high.z) & (dot(spin, spin) < 1e300);
+  outside |= 1 - inside;
+  stale |= dot(since, since) > margin * margin;
+}
+
+static void move_parcels(const PlainStep& given, std::size_t parcel_count, Parcel* parcels, const Load* load,
+                         Vec3* reference, const double* margin, StepNotice& notice) {
+  const PlainStep step = given;  // nobody else writes to it
+  const int count = static_cast<int>(parcel_count);
+  ParcelLanes b;
+  read(b, parcel_count, parcels, load, reference, margin);
+  int too_fast = 0, outside = 0, stale = 0;
+#pragma omp simd reduction(| : too_fast)
+  for (int k = 0; k < count; ++k) kick_and_drift(b, k, step, too_fast);
+  const bool wrapped = (step.periodic[0] && wrap(b.position.x, b.reference.x, step.low.x, step.high.x, count)) |
+                       (step.periodic[1] && wrap(b.position.y, b.reference.y, step.low.y, step.high.y, count)) |
+                       (step.periodic[2] && wrap(b.position.z, b.reference.z, step.low.z, step.high.z, count));
+#pragma omp simd reduction(| : outside, stale)
+  for (int k = 0; k < count; ++k) inspect(b, k, step, outside, stale);
+  write(b, parcel_count, parcels);
+  if (wrapped)
+    for (int k = 0; k < count; ++k) reference[k] = kernels::load(b.reference, k);
+  notice.too_fast |= too_fast != 0;
+  notice.outside |= outside != 0;
+  notice.stale |= stale != 0;
+  notice.wrapped |= wrapped;
+}
+
+ParcelKernel parcel_kernel() { return {sum_pairs, move_parcels}; }
+
+}  // namespace PULVIS_ISA
+}  // namespace pulvis::kernels
