@@ -61,7 +61,7 @@ ForceSight forces_in(const Simulation& simulation, const Sight& sight) {
     const std::uint32_t slot = sight.contact_slots[c];
     const Vec3 branch = nearest(body[pairs.first[slot]].position - body[pairs.second[slot]].position);
     forces.pairs.push_back(
-        {sight.contacts[c].first, sight.contacts[c].second, pairs.load[slot].force, branch});
+        {sight.contacts[c].first, sight.contacts[c].second, pairs.force_on_first(slot), branch});
   }
   const NearWalls& near = simulation.walls();
   const Walls& walls = simulation.model().walls;

@@ -101,7 +101,7 @@ inline Outcome collide(const Collision& c, std::uint64_t most_steps = 200000) {
     const bool touches = c.at_wall ? s.walls().slots() > 0 && s.walls().touching[0]
                                    : s.pairs().slots() > 0 && s.pairs().touching[0];
     if (touches) {
-      const Vec3 force = c.at_wall ? s.walls().load[0].force : s.pairs().load[0].force;
+      const Vec3 force = c.at_wall ? s.walls().load[0].force : s.pairs().force_on_first(0);
       o.course.push_back({s.time() - gap / c.speed, reach - distance, std::fabs(force.z)});
       o.largest_overlap = std::max(o.largest_overlap, o.course.back().overlap);
       o.largest_force = std::max(o.largest_force, o.course.back().force);

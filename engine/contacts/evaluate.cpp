@@ -30,12 +30,19 @@ void keep_history(const ContactBlock& b, int k, std::uint32_t slot, NearWalls& n
     near.memory.list[slot] = {b.memory->plastic[k], b.memory->adhesion[k], b.memory->grip[k]};
 }
 
+/// Asks memory for what the contacts of a block remember, while the one before it is evaluated.
+void ask_for(const kernels::Springs& springs) {
+  const char* const begin = reinterpret_cast<const char*>(&springs);
+  for (std::size_t at = 0; at < sizeof springs; at += 64) __builtin_prefetch(begin + at, 1);
+}
+
 /// Evaluates `b.count` slots from `begin` on, which are one block of near pairs, where they stand. Pairs that do not
 /// touch are carried along: to tell them apart would cost more.
 void evaluate_block(ContactBlock& b, std::size_t begin, const ContactClass& contact, NearPairs& near,
                     const Parcels& parcels, double approach, double dt) {
   const std::size_t block = begin / kernels::block_size;
   b.springs = &near.springs[block];
+  if (block + 1 < near.springs.size()) ask_for(near.springs[block + 1]);
   if (near.remembers) b.memory = &near.memory[block];
   std::uint8_t* touching = &near.touching[begin];
   for (int k = 0; k < b.count; ++k) b.touching[k] = touching[k];
@@ -44,10 +51,16 @@ void evaluate_block(ContactBlock& b, std::size_t begin, const ContactClass& cont
                         static_cast<int>(std::min<std::size_t>(behind, kernels::block_size)));
   if (b.slide.any()) contact.kernel.images(b, contact.constants.data(), dt);
   contact.kernel.geometry(b, contact.constants.data(), dt);
-  if (!contact.kernel.any_in_reach(b, approach)) return;
+  Vec3* force = near.force.empty() ? nullptr : &near.force[begin];
+  if (!contact.kernel.any_in_reach(b, approach)) {
+    // Another contact's load may lie in their places. Those of pairs apart are asked for only where they touch.
+    if (begin < near.first_apart())
+      for (int k = 0; k < b.count; ++k) near.load[near.place[begin + static_cast<std::size_t>(k)]] = {};
+    return;
+  }
   contact.kernel.evaluate(b, contact.constants.data(), dt);
   for (int k = 0; k < b.count; ++k) touching[k] = b.touching[k] > 0.5;
-  contact.kernel.scatter(b, &near.load[begin]);
+  contact.kernel.scatter(b, near.load.data(), &near.place[begin], force);
 }
 
 /// Sums of parcels leave out pairs apart unless told of a contact. Divided parcels, which other threads would tell of
@@ -118,6 +131,19 @@ ContactEvaluator::ContactEvaluator(int most_threads, std::size_t classes, double
     : parcel_kernel_(kernels::parcel_kernel(kernels::instruction_set())), approach_(approach) {
   scratch_.resize(static_cast<std::size_t>(std::max(most_threads, 1)));
   for (auto& s : scratch_) s.block.resize(classes), s.cursors.resize(2 * classes);
+}
+
+Load ContactEvaluator::sum_all(const NearPairs& near, std::size_t parcel) {
+  Load sum;
+  for (std::uint32_t k = near.begin[parcel]; k < near.begin[parcel + 1]; ++k) {
+    const std::size_t slot = near.entry[k] >> 1;
+    if (!near.touching[slot]) continue;
+    const PairLoad& load = near.load[near.place[slot]];
+    const bool is_second = near.entry[k] & 1u;
+    sum.force += is_second ? -load.force : load.force;
+    sum.torque += is_second ? load.torque_second : load.torque_first;
+  }
+  return sum;
 }
 
 void ContactEvaluator::block(NearPairs& near, const Parcels& parcels, const ContactClass& contact,

@@ -31,13 +31,11 @@ class ContactEvaluator {
              std::size_t begin, const Images& images, double dt, int part);
   /// What pairs do to the parcels from `from` to `to`, but for those apart; and what all near pairs do to one.
   void sum_close(const NearPairs& near, std::size_t from, std::size_t to, Load* sum) const {
-    parcel_kernel_.sum_of_pairs(loads(near, near.first_apart()), from, to, sum);
+    parcel_kernel_.sum_of_pairs({near.load.data(), near.places_apart, near.load.size() - 2,
+                                 near.begin.data(), near.summand.data()},
+                                from, to, sum);
   }
-  Load sum_all(const NearPairs& near, std::size_t parcel) const {
-    Load sum;
-    parcel_kernel_.sum_of_pairs(loads(near, near.slots()), parcel, parcel + 1, &sum);
-    return sum;
-  }
+  static Load sum_all(const NearPairs& near, std::size_t parcel);
   /// Takes parcels from the end of one step to the middle of the next.
   kernels::MoveParcels move() const { return parcel_kernel_.move; }
   /// How far a part of the work is in the slots of each group: for whoever leads it.
@@ -55,9 +53,6 @@ class ContactEvaluator {
     std::vector<WallSight> sights;     ///< of one parcel, per slot
     std::vector<std::uint32_t> owner;  ///< of one parcel, per slot: see settle_edges
   };
-  static kernels::LoadsOfPairs loads(const NearPairs& near, std::size_t slot_end) {
-    return {near.load.data(), slot_end, near.slots(), near.begin.data(), near.entry.data()};
-  }
   void settle_edges(NearWalls& near, std::uint32_t parcel, const Parcel& p, const Walls& walls,
                     std::span<const Pose> poses, Scratch& scratch) const;
 

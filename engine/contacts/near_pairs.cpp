@@ -32,6 +32,7 @@ void NearPairs::rebuild(const Parcels& parcels, const ContactClasses& classes, s
   search(parcels, margin, reach, box, slide, threads);
   assign_slots(parcels, classes, threads);
   divide(threads);
+  assign_places();
   meets.assign(parcels.size(), 0);
 }
 
@@ -50,6 +51,65 @@ void NearPairs::divide(int threads) {
     for (std::size_t i = from; i < to; ++i)
       for (std::uint32_t k = begin[i]; k < begin[i + 1] && !divided_[i]; ++k)
         divided_[i] = of_other(entry[k] >> 1);
+  });
+}
+
+/// Numbers the places of close pairs in a share from 0, and returns how many there are. A place is given to another slot
+/// once both parcels have been summed up; divided ones are so at the end of the step only.
+std::uint32_t NearPairs::number_places(int part) {
+  std::vector<std::size_t> cursors(groups());
+  std::vector<std::uint32_t> free;
+  std::uint32_t count = 0;
+  const auto give = [&](std::size_t group, std::size_t start) {
+    if (are_apart(group)) return;
+    for (std::size_t slot = start; slot < std::min(start + kernels::block_size, group_end[group]); ++slot) {
+      if (free.empty()) {
+        place[slot] = count++;
+      } else {
+        place[slot] = free.back();
+        free.pop_back();
+      }
+    }
+  };
+  const auto take_back = [&](std::size_t from, std::size_t to) {
+    for (std::size_t i = from; i < to; ++i) {
+      if (divided(i)) continue;
+      for (std::uint32_t k = begin[i]; k < begin[i + 1]; ++k) {
+        const std::size_t slot = entry[k] >> 1, other = entry[k] & 1u ? first[slot] : second[slot];
+        if (slot < first_apart() && other < i && !divided(other)) free.push_back(place[slot]);
+      }
+    }
+  };
+  go_through(part, cursors, give, take_back);
+  return count;
+}
+
+void NearPairs::assign_places() {
+  place.assign(slots(), 0);
+  std::vector<std::uint32_t> places_of(static_cast<std::size_t>(shares_));
+  parallel_parts(shares_, [&](int part) { places_of[static_cast<std::size_t>(part)] = number_places(part); });
+  places_apart = 0;
+  for (std::uint32_t& of_part : places_of) {
+    const std::uint32_t before = static_cast<std::uint32_t>(places_apart);
+    places_apart += of_part;
+    of_part = before;
+  }
+  parallel_parts(shares_, [&](int part) {
+    std::vector<std::size_t> cursors(groups());
+    const std::uint32_t before = places_of[static_cast<std::size_t>(part)];
+    const auto shift = [&](std::size_t group, std::size_t start) {
+      if (are_apart(group)) return;
+      for (std::size_t slot = start; slot < std::min(start + kernels::block_size, group_end[group]); ++slot)
+        place[slot] += before;
+    };
+    if (before > 0) go_through(part, cursors, shift, [](std::size_t, std::size_t) {});
+  });
+  for (std::size_t slot = first_apart(); slot < slots(); ++slot)
+    place[slot] = static_cast<std::uint32_t>(places_apart + slot - first_apart());
+  load.assign(places_apart + slots() - std::min(slots(), first_apart()) + 2, {});
+  summand.assign(entry.size() + kernels::summands_at_once, 0);
+  parallel_shares(entry.size(), shares_, [&](std::size_t from, std::size_t to, int) {
+    for (std::size_t k = from; k < to; ++k) summand[k] = 2 * place[entry[k] >> 1] + (entry[k] & 1u);
   });
 }
 
@@ -169,10 +229,10 @@ void NearPairs::assign_slots(const Parcels& parcels, const ContactClasses& class
   first.assign(slot_count, 0);
   second.assign(slot_count, 0);
   touching.assign(slot_count, 0);
-  load.assign(slot_count + 2, {});
+  force.clear();
   springs.assign(block_count, {});
   memory.assign(remembers ? block_count : 0, {});
-  entry.assign(partner_.size() + kernels::entries_at_once, 0);
+  entry.assign(partner_.size(), 0);
   parallel_shares(count, threads, [&](std::size_t from, std::size_t to, int) {
     for (std::size_t i = from; i < to; ++i)
       for (std::uint32_t k = begin[i]; k < begin[i + 1]; ++k) {
@@ -264,13 +324,22 @@ std::size_t NearPairs::restore(const TouchingList& list, std::span<const std::ui
   return total;
 }
 
-void NearPairs::take_over_loads(const NearPairs& old, std::span<const std::uint32_t> old_index) {
+void NearPairs::keep_forces(bool keep) {
+  if (keep)
+    force.assign(slots(), {});
+  else
+    force.clear();
+}
+
+void NearPairs::take_over_forces(const NearPairs& old, std::span<const std::uint32_t> old_index) {
+  if (old.force.empty()) return;
+  force.assign(slots(), {});
   for (std::size_t slot = 0; slot < slots(); ++slot) {
     if (!touching[slot]) continue;
     const std::uint32_t i = old_index[first[slot]], j = old_index[second[slot]];
     for (std::uint32_t k = old.begin[i]; k < old.begin[i + 1]; ++k)
       if (!(old.entry[k] & 1u) && old.second[old.entry[k] >> 1] == j)
-        load[slot] = old.load[old.entry[k] >> 1];
+        force[slot] = old.force[old.entry[k] >> 1];
   }
 }
 

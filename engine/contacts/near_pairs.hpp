@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <utility>
@@ -24,6 +25,7 @@ using kernels::PairLoad;
 class NearPairs {
  public:
   static constexpr std::uint32_t no_parcel = 0xffffffffu;
+  static constexpr std::size_t parcels_at_once = 512;  ///< what they need of each other stays in the second cache
 
   /// Finds all pairs closer than margin_i + margin_j + reach. `margin` is per parcel, m; `reach` covers
   /// contacts that hold beyond touching. Forgets all contacts: see `restore`.
@@ -38,9 +40,9 @@ class NearPairs {
   std::size_t restore(const TouchingList& list, std::span<const std::uint32_t> old_index,
                       const Parcels& parcels, int threads);
 
-  /// Takes the loads of the contacts that touch over from the lists before a rebuild, where each parcel stood
+  /// Takes the forces of the contacts that touch over from the lists before a rebuild, where each parcel stood
   /// at `old_index`, so that they can still be asked for before the next evaluation.
-  void take_over_loads(const NearPairs& old, std::span<const std::uint32_t> old_index);
+  void take_over_forces(const NearPairs& old, std::span<const std::uint32_t> old_index);
 
   std::size_t slots() const { return first.size(); }
   bool is_pair(std::size_t slot) const { return first[slot] != second[slot]; }  ///< and no mere filling
@@ -73,11 +75,36 @@ class NearPairs {
   laws::History history(std::size_t slot) const;
   void set_history(std::size_t slot, const laws::History& history);
 
+  /// Goes through the share `part` as every step does: calls `block(group, slot)` for each block of 64 slots, beginning
+  /// with `slot`, that parcels need before `parcels(from, to)` is called for them. `cursors`: one per group.
+  template <class Block, class OfParcels>
+  void go_through(int part, std::vector<std::size_t>& cursors, Block&& block, OfParcels&& parcels) const {
+    const auto [from, to] = share(part);
+    for (std::size_t g = 0; g < cursors.size(); ++g) cursors[g] = first_block(g, from);
+    for (std::size_t start = from; start < to; start += parcels_at_once) {
+      const std::size_t end = std::min(to, start + parcels_at_once);
+      for (std::size_t g = 0; g < cursors.size(); ++g)
+        for (; cursors[g] < slot_end(g, end - 1); cursors[g] += kernels::block_size) block(g, cursors[g]);
+      parcels(start, end);
+    }
+  }
+  std::size_t groups() const { return group_begin.size(); }
+
+  /// Force on the first of a pair at the end of the last step, N, if that was made with `keeps_forces`.
+  Vec3 force_on_first(std::size_t slot) const { return force.empty() ? Vec3{} : force[slot]; }
+  /// Whether the step that comes shall keep the forces.
+  void keep_forces(bool keep);
+
   // Per slot. The first has the lower id.
   std::vector<std::uint32_t> first, second;
   std::vector<std::uint8_t> touching;
-  std::vector<PairLoad>
-      load;  ///< zero where nothing touches; two more of zeros, so that four numbers can be read anywhere
+  std::vector<std::uint32_t> place;  ///< where its load lies while it is needed; those of pairs apart come last
+  std::vector<Vec3> force;           ///< empty where nobody asked for them
+
+  /// In places. A load is needed until both parcels have been summed up; then another contact takes its place, so that
+  /// all of them stay in the caches. Two more of zeros, so that four numbers can be read anywhere.
+  std::vector<PairLoad> load;
+  std::size_t places_apart = 0;  ///< the first place of pairs apart, which have each their own
 
   // Per block of slots.
   std::vector<kernels::Springs> springs;
@@ -89,7 +116,8 @@ class NearPairs {
 
   // Per parcel: entries [begin[k], begin[k + 1]) of `entry`, partners' ids ascending.
   std::vector<std::uint32_t> begin;
-  std::vector<std::uint32_t> entry;  ///< 2 slot + (1 if the parcel is the second); a few more at the end
+  std::vector<std::uint32_t> entry;    ///< 2 slot + (1 if the parcel is the second)
+  std::vector<std::uint32_t> summand;  ///< the same with places for slots; some more at the end
   std::vector<std::uint8_t> meets;   ///< touches one of those that were apart, in this step
 
  private:
@@ -98,6 +126,8 @@ class NearPairs {
   void assign_slots(const Parcels& parcels, const ContactClasses& classes, int threads);
   std::size_t count_slots(const Parcels& parcels, const ContactClasses& classes, int threads);
   void divide(int threads);
+  void assign_places();
+  std::uint32_t number_places(int part);
   laws::Memory memory_of(std::size_t slot) const;
   void set_memory(std::size_t slot, const laws::Memory& memory);
 

@@ -23,7 +23,7 @@ class NearWalls {
   /// As NearPairs::restore.
   std::size_t restore(const TouchingList& list, std::span<const std::uint32_t> old_index);
 
-  /// As NearPairs::take_over_loads.
+  /// As NearPairs::take_over_forces.
   void take_over_loads(const NearWalls& old, std::span<const std::uint32_t> old_index);
 
   std::size_t slots() const { return parcel.size(); }

@@ -136,18 +136,13 @@ class ShareOfSweep {
   /// Evaluates blocks and finishes parcels in turn. A parcel is done with once the slots of all that stand before it
   /// in the store, and its own, are evaluated: nobody asks for its place or velocity after that.
   void run() {
-    const auto [from, to] = t_.pairs.share(part_);
-    constexpr std::size_t parcels_at_once = 2048;  // their loads are still in the second cache
-    std::vector<std::size_t>& at = t_.evaluator.cursors(part_);
-    for (std::size_t g = 0; g < at.size(); ++g) at[g] = t_.pairs.first_block(g, from);
-    for (std::size_t begin = from; begin < to; begin += parcels_at_once) {
-      const std::size_t end = std::min(to, begin + parcels_at_once);
-      for (std::size_t g = 0; g < at.size(); ++g)
-        for (; at[g] < t_.pairs.slot_end(g, end - 1); at[g] += kernels::block_size)
-          t_.evaluator.block(t_.pairs, t_.parcels, t_.classes.all()[t_.pairs.class_of(g)], g, at[g],
+    t_.pairs.go_through(
+        part_, t_.evaluator.cursors(part_),
+        [&](std::size_t group, std::size_t slot) {
+          t_.evaluator.block(t_.pairs, t_.parcels, t_.classes.all()[t_.pairs.class_of(group)], group, slot,
                              t_.images, fields_.dt, part_);
-      finish(begin, end);
-    }
+        },
+        [&](std::size_t begin, std::size_t end) { finish(begin, end); });
   }
 
   /// Parcels with contacts in other shares, once all of those are evaluated.

@@ -68,24 +68,22 @@ static void gather(ContactBlock& b, const Parcel* parcels, const std::uint32_t* 
 
 static_assert(sizeof(PairLoad) == 9 * sizeof(double));
 
-static void scatter(const ContactBlock& b, PairLoad* result) {
+static void scatter(const ContactBlock& b, PairLoad* load, const std::uint32_t* place, Vec3* force) {
   int k = 0;
   for (; k + 4 <= b.count; k += 4) {
-    Quartet one{four_at(b.force.x + k), four_at(b.force.y + k), four_at(b.force.z + k),
-                four_at(b.torque_first.x + k)};
-    Quartet two{four_at(b.torque_first.y + k), four_at(b.torque_first.z + k), four_at(b.torque_second.x + k),
-                four_at(b.torque_second.y + k)};
-    transpose(one.a, one.b, one.c, one.d);
-    transpose(two.a, two.b, two.c, two.d);
-    const Four ones[4] = {one.a, one.b, one.c, one.d}, twos[4] = {two.a, two.b, two.c, two.d};
-    for (int j = 0; j < 4; ++j) {
-      double* to = reinterpret_cast<double*>(result + k + j);
-      put_four(to, ones[j]);
-      put_four(to + 4, twos[j]);
-      to[8] = b.torque_second.z[k + j];
-    }
+    double* to[4];
+    for (int j = 0; j < 4; ++j) to[j] = &load[place[k + j]].force.x;
+    put_quartet(to, 0, {four_at(b.force.x + k), four_at(b.force.y + k), four_at(b.force.z + k),
+                        four_at(b.torque_first.x + k)});
+    put_quartet(to, 4, {four_at(b.torque_first.y + k), four_at(b.torque_first.z + k),
+                        four_at(b.torque_second.x + k), four_at(b.torque_second.y + k)});
+    for (int j = 0; j < 4; ++j) to[j][8] = b.torque_second.z[k + j];
   }
-  for (; k < b.count; ++k) result[k] = {load(b.force, k), load(b.torque_first, k), load(b.torque_second, k)};
+  for (; k < b.count; ++k)
+    load[place[k]] = {kernels::load(b.force, k), kernels::load(b.torque_first, k),
+                      kernels::load(b.torque_second, k)};
+  if (!force) return;
+  for (k = 0; k < b.count; ++k) force[k] = kernels::load(b.force, k);
 }
 
 static bool any_in_reach(const ContactBlock& b, double approach) {

@@ -9,17 +9,17 @@
 
 namespace pulvis::kernels {
 
-/// Loads of the slots, and which of them each parcel has: entry[begin[i]] to entry[begin[i + 1]] are those of parcel i in
-/// the order they are added in, each 2 slot, + 1 if the parcel is the second. Behind the last entry there are at least
-/// `entries_at_once` more that may be read and mean nothing.
+/// Loads of contacts in their places, and which of them act on each parcel: summand[begin[i]] to summand[begin[i + 1]]
+/// are those of parcel i in the order they are added in, each 2 place, + 1 if the parcel is the second of the pair.
+/// Behind the last there are at least `summands_at_once` more that may be read and mean nothing.
 struct LoadsOfPairs {
   const PairLoad* load;
-  std::size_t slot_end;  ///< slots from here on count as
-  std::size_t nothing;   ///< this one, whose load is zero
+  std::size_t place_end;  ///< places from here on count as
+  std::size_t nothing;    ///< this one, whose load is zero
   const std::uint32_t* begin;
-  const std::uint32_t* entry;
+  const std::uint32_t* summand;
 };
-inline constexpr std::size_t entries_at_once = 8;
+inline constexpr std::size_t summands_at_once = 8;
 
 /// Sums what pairs do to each parcel from `from` to `to`; sum[0] is that of `from`.
 using SumOfPairs = void (*)(const LoadsOfPairs& pairs, std::size_t from, std::size_t to, Load* sum);

@@ -67,7 +67,7 @@ void Simulation::remove(std::vector<std::uint32_t>& indices, Velocities velociti
   const NearWalls walls_before = walls_;
   times_.book(Task::leaving);
   const auto stood_at = rebuild(old_pairs, old_walls, std::move(old_index));
-  pairs_.take_over_loads(pairs_before, stood_at);
+  pairs_.take_over_forces(pairs_before, stood_at);
   walls_.take_over_loads(walls_before, stood_at);
   if (energy_) state_.energy.removed += stored_before - energy_->stored(view());
   times_.book(Task::leaving);

@@ -97,6 +97,7 @@ void Simulation::step(Then then) {
   const bool guarded = state_.step % steps_between_guards == 0;
   ahead_ = then == Then::go_on && !energy_ && !guarded && crossings_.empty() &&
            state_.escapes.size() == escaped_before && !a_source_is_due();
+  pairs_.keep_forces(then == Then::look);
   if (energy_) energy_->before_kick(state_.parcels);
   notice_ = sweep({state_.parcels, pairs_, walls_, evaluator_, model_.classes, images_, reference_, margin_},
                   {field_towards(-0.5), model_.dt}, ahead_ ? &next : nullptr);
@@ -325,7 +326,8 @@ std::size_t Simulation::memory() const {
   const auto bytes = [](const auto& v) { return v.capacity() * sizeof v[0]; };
   return bytes(state_.parcels.body) + bytes(state_.parcels.load) + bytes(reference_) + bytes(margin_) +
          bytes(pairs_.first) + bytes(pairs_.second) + bytes(pairs_.touching) + bytes(pairs_.springs) +
-         bytes(pairs_.memory) + bytes(pairs_.load) + bytes(pairs_.begin) + bytes(pairs_.entry) +
+         bytes(pairs_.memory) + bytes(pairs_.load) + bytes(pairs_.place) + bytes(pairs_.force) +
+         bytes(pairs_.begin) + bytes(pairs_.entry) + bytes(pairs_.summand) +
          bytes(pairs_.meets) + bytes(walls_.begin) + bytes(walls_.parcel) + bytes(walls_.surface) +
          bytes(walls_.history) + bytes(walls_.load);
 }
