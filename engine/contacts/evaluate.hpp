@@ -31,9 +31,8 @@ class ContactEvaluator {
              std::size_t begin, const Images& images, double dt, int part);
   /// What pairs do to the parcels from `from` to `to`, but for those apart; and what all near pairs do to one.
   void sum_close(const NearPairs& near, std::size_t from, std::size_t to, Load* sum) const {
-    parcel_kernel_.sum_of_pairs({near.load.data(), near.places_apart, near.load.size() - 2,
-                                 near.begin.data(), near.summand.data()},
-                                from, to, sum);
+    parcel_kernel_.sum_of_pairs(
+        {near.load.data(), near.no_summand(), near.begin.data(), near.summand.data()}, from, to, sum);
   }
   static Load sum_all(const NearPairs& near, std::size_t parcel);
   /// Takes parcels from the end of one step to the middle of the next.

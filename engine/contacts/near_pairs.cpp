@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <utility>
 
 #include "engine/base/failure.hpp"
 #include "engine/base/parallel.hpp"
@@ -88,12 +89,8 @@ void NearPairs::assign_places() {
   place.assign(slots(), 0);
   std::vector<std::uint32_t> places_of(static_cast<std::size_t>(shares_));
   parallel_parts(shares_, [&](int part) { places_of[static_cast<std::size_t>(part)] = number_places(part); });
-  places_apart = 0;
-  for (std::uint32_t& of_part : places_of) {
-    const std::uint32_t before = static_cast<std::uint32_t>(places_apart);
-    places_apart += of_part;
-    of_part = before;
-  }
+  std::uint32_t count = 0;
+  for (std::uint32_t& of_part : places_of) of_part = std::exchange(count, count + of_part);
   parallel_parts(shares_, [&](int part) {
     std::vector<std::size_t> cursors(groups());
     const std::uint32_t before = places_of[static_cast<std::size_t>(part)];
@@ -104,12 +101,13 @@ void NearPairs::assign_places() {
     };
     if (before > 0) go_through(part, cursors, shift, [](std::size_t, std::size_t) {});
   });
-  for (std::size_t slot = first_apart(); slot < slots(); ++slot)
-    place[slot] = static_cast<std::uint32_t>(places_apart + slot - first_apart());
-  load.assign(places_apart + slots() - std::min(slots(), first_apart()) + 2, {});
-  summand.assign(entry.size() + kernels::summands_at_once, 0);
+  for (std::size_t slot = first_apart(); slot < slots(); ++slot) place[slot] = count++;
+  load.assign(count + 2, {});
+  summand.assign(entry.size() + kernels::summands_behind, no_summand());
   parallel_shares(entry.size(), shares_, [&](std::size_t from, std::size_t to, int) {
-    for (std::size_t k = from; k < to; ++k) summand[k] = 2 * place[entry[k] >> 1] + (entry[k] & 1u);
+    for (std::size_t k = from; k < to; ++k)
+      if (const std::size_t slot = entry[k] >> 1; slot < first_apart())
+        summand[k] = 2 * place[slot] + (entry[k] & 1u);
   });
 }
 

@@ -92,6 +92,7 @@ class NearPairs {
 
   /// Force on the first of a pair at the end of the last step, N, if that was made with `keeps_forces`.
   Vec3 force_on_first(std::size_t slot) const { return force.empty() ? Vec3{} : force[slot]; }
+  std::uint32_t no_summand() const { return static_cast<std::uint32_t>(2 * (load.size() - 2)); }
   /// Whether the step that comes shall keep the forces.
   void keep_forces(bool keep);
 
@@ -104,7 +105,6 @@ class NearPairs {
   /// In places. A load is needed until both parcels have been summed up; then another contact takes its place, so that
   /// all of them stay in the caches. Two more of zeros, so that four numbers can be read anywhere.
   std::vector<PairLoad> load;
-  std::size_t places_apart = 0;  ///< the first place of pairs apart, which have each their own
 
   // Per block of slots.
   std::vector<kernels::Springs> springs;
@@ -117,7 +117,7 @@ class NearPairs {
   // Per parcel: entries [begin[k], begin[k + 1]) of `entry`, partners' ids ascending.
   std::vector<std::uint32_t> begin;
   std::vector<std::uint32_t> entry;    ///< 2 slot + (1 if the parcel is the second)
-  std::vector<std::uint32_t> summand;  ///< the same with places for slots; some more at the end
+  std::vector<std::uint32_t> summand;  ///< the same with places for slots, no_summand() for pairs apart; some more at the end
   std::vector<std::uint8_t> meets;   ///< touches one of those that were apart, in this step
 
  private:

@@ -11,15 +11,14 @@ namespace pulvis::kernels {
 
 /// Loads of contacts in their places, and which of them act on each parcel: summand[begin[i]] to summand[begin[i + 1]]
 /// are those of parcel i in the order they are added in, each 2 place, + 1 if the parcel is the second of the pair.
-/// Behind the last there are at least `summands_at_once` more that may be read and mean nothing.
+/// Behind the last there are at least `summands_behind` more that may be read.
 struct LoadsOfPairs {
   const PairLoad* load;
-  std::size_t place_end;  ///< places from here on count as
-  std::size_t nothing;    ///< this one, whose load is zero
+  std::size_t nothing;  ///< a summand whose load is zero
   const std::uint32_t* begin;
   const std::uint32_t* summand;
 };
-inline constexpr std::size_t summands_at_once = 8;
+inline constexpr std::size_t summands_at_once = 8, summands_behind = 4 * summands_at_once;
 
 /// Sums what pairs do to each parcel from `from` to `to`; sum[0] is that of `from`.
 using SumOfPairs = void (*)(const LoadsOfPairs& pairs, std::size_t from, std::size_t to, Load* sum);

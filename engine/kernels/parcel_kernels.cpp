@@ -6,32 +6,34 @@
 namespace pulvis::kernels {
 namespace PULVIS_ISA {
 
+/// What the sums of the parcels behind will need.
+PULVIS_INLINE void ask_for(const PairLoad& load) {
+  const char* at = reinterpret_cast<const char*>(&load);
+  __builtin_prefetch(at);
+  __builtin_prefetch(at + 64);
+}
+
 /// Three numbers are taken as four, whose last nobody asks for. To add zeros is quicker than to find out whether to, and
 /// to have as many summands for all parcels quicker than for the processor to guess how many there are: most have
 /// fewer than are taken at once. What does not count is masked out, since the compiler would make a choice a branch.
 static void sum_pairs(const LoadsOfPairs& pairs, std::size_t from, std::size_t to, Load* sum) {
   constexpr double sign[2] = {1.0, -1.0};
+  constexpr std::size_t ahead = 3 * summands_at_once;
   const PairLoad* const load = pairs.load;
-  const auto place_end = static_cast<std::uint32_t>(pairs.place_end),
-             nothing = static_cast<std::uint32_t>(pairs.nothing);
+  const std::uint32_t* const summands = pairs.summand;
   for (std::size_t i = from; i < to; ++i) {
     Four force{}, torque{};
-    const std::uint32_t end = pairs.begin[i + 1];
-    for (std::uint32_t k = pairs.begin[i]; k < end; k += summands_at_once) {
-      std::uint32_t place[summands_at_once], side[summands_at_once];
-#pragma omp simd
-      for (std::uint32_t j = 0; j < summands_at_once; ++j) {
-        const std::uint32_t summand = pairs.summand[k + j], wanted = summand >> 1;
-        const std::uint32_t counts = -static_cast<std::uint32_t>((k + j < end) & (wanted < place_end));
-        place[j] = nothing ^ ((wanted ^ nothing) & counts);
-        side[j] = summand & 1u;
+    const std::size_t end = pairs.begin[i + 1];
+    for (std::size_t k = pairs.begin[i]; k < end; k += summands_at_once)
+      for (std::size_t j = 0; j < summands_at_once; ++j) {
+        ask_for(load[summands[k + j + ahead] >> 1]);
+        const std::size_t counts = -static_cast<std::size_t>(k + j < end);
+        const std::size_t summand = pairs.nothing ^ ((summands[k + j] ^ pairs.nothing) & counts);
+        const std::size_t side = summand & 1u;
+        const double* in_place = &load[summand >> 1].force.x;
+        force += sign[side] * four_at(in_place);
+        torque += four_at(in_place + 3 + 3 * side);
       }
-      for (std::uint32_t j = 0; j < summands_at_once; ++j) {
-        const double* in_place = &load[place[j]].force.x;
-        force += sign[side[j]] * four_at(in_place);
-        torque += four_at(in_place + 3 + 3 * side[j]);
-      }
-    }
     *sum++ = {{force[0], force[1], force[2]}, {torque[0], torque[1], torque[2]}};
   }
 }
