@@ -16,9 +16,13 @@ constexpr double close_share = 0.1;
 
 struct Candidate {
   Vec3 position;
-  double reach;  ///< radius + margin
-  double close;  ///< radius + its share of the margin
+  double reach;        ///< radius + margin
+  double close;        ///< radius + its share of the margin
+  std::uint64_t name;  ///< id, then 2 index
 };
+constexpr std::uint64_t name_of(std::uint32_t id, std::uint32_t index) {
+  return std::uint64_t{id} << 32 | 2 * index;
+}
 
 std::size_t group_of(const Parcels& parcels, const ContactClasses& classes, std::size_t i,
                      std::uint32_t partner) {
@@ -150,7 +154,7 @@ void NearPairs::search(const Parcels& parcels, std::span<const double> margin, d
     for (std::size_t k = from; k < to; ++k) {
       const Parcel& p = parcels.body[order[k]];
       const double m = margin[order[k]];
-      candidate[k] = {p.position, p.radius + m, p.radius + close_share * m};
+      candidate[k] = {p.position, p.radius + m, p.radius + close_share * m, name_of(p.id, order[k])};
     }
   });
 
@@ -162,26 +166,28 @@ void NearPairs::search(const Parcels& parcels, std::span<const double> margin, d
     auto& mine = found[static_cast<std::size_t>(thread)];
     share_begin[static_cast<std::size_t>(thread)] = from;
     mine.reserve(7 * (to - from));
+    std::vector<std::uint64_t> near;  // names of one parcel's partners, + 1 if they are apart
     for (std::size_t i = from; i < to; ++i) {
       const Vec3 position = parcels.body[i].position;
       const double radius = parcels.body[i].radius;
       const double own = radius + margin[i], own_close = radius + close_share * margin[i];
-      const std::size_t before = mine.size();
+      const std::uint64_t name = name_of(parcels.body[i].id, static_cast<std::uint32_t>(i));
+      std::size_t count_near = 0;
       grid_.for_ranges_around(grid_.cell_of(i), slide, [&](std::uint32_t first_k, std::uint32_t last_k) {
+        if (near.size() < count_near + (last_k - first_k)) near.resize(2 * near.size() + (last_k - first_k));
+        // Every one is written and most are overwritten: nobody can guess which candidates are near.
         for (std::uint32_t k = first_k; k < last_k; ++k) {
-          const Vec3 d = nearest(candidate[k].position - position);
-          const double far = (own + candidate[k].reach) + reach;  // the same bits seen from either parcel
-          const double square = dot(d, d);
-          if (!(square < far * far) || order[k] == i) continue;
-          const double close = own_close + candidate[k].close + reach;
-          mine.push_back(2 * order[k] + (square < close * close ? 0 : 1));
+          const Candidate& c = candidate[k];
+          const Vec3 d = nearest(c.position - position);
+          const double far = (own + c.reach) + reach;  // the same bits seen from either parcel
+          const double close = own_close + c.close + reach, square = dot(d, d);
+          near[count_near] = c.name + static_cast<std::uint64_t>(!(square < close * close));
+          count_near += static_cast<std::size_t>((square < far * far) & (c.name != name));
         }
       });
-      std::sort(mine.begin() + static_cast<std::ptrdiff_t>(before), mine.end(),
-                [&](std::uint32_t a, std::uint32_t b) {
-                  return parcels.body[a >> 1].id < parcels.body[b >> 1].id;
-                });
-      begin[i + 1] = static_cast<std::uint32_t>(mine.size() - before);
+      std::sort(near.begin(), near.begin() + static_cast<std::ptrdiff_t>(count_near));  // by the ids
+      for (std::size_t k = 0; k < count_near; ++k) mine.push_back(static_cast<std::uint32_t>(near[k]));
+      begin[i + 1] = static_cast<std::uint32_t>(count_near);
     }
   });
   for (std::size_t i = 0; i < count; ++i) begin[i + 1] += begin[i];
