@@ -11,7 +11,7 @@ namespace pulvis {
 namespace {
 
 constexpr std::uint64_t rebuilds_between_sorts = 32;
-constexpr double steps_between_rebuilds = 25.0;  // what the margins of moving parcels aim at
+constexpr double steps_between_rebuilds = 60.0;  // what the margins of moving parcels aim at
 
 }  // namespace
 
@@ -65,7 +65,7 @@ void Simulation::choose_margins(std::span<const std::uint32_t> old_index) {
   // Fast parcels get wide margins and slow ones narrow ones: in a filling die the dense bed is slow and the
   // fast rain is dilute, so lists stay short where there are many parcels.
   // No margin is less than the way of the next step (up to 0.5 radius): contacts must end by their law only.
-  const double least = 0.03 * model_.skin, most = greatest(0.6 * model_.skin, 0.5);
+  const double least = 0.02 * model_.skin, most = greatest(0.6 * model_.skin, 0.5);
   drift_ = {};
   drift_velocity_ = model_.domain.shear.any() ? Vec3{} : common_velocity();
   margin_.resize(state_.parcels.size());
