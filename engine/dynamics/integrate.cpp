@@ -162,7 +162,7 @@ class ShareOfSweep {
   /// All of a range but the divided ones. Pairs that do not touch add zeros, which change no bit of a sum that began
   /// with +0: so most of them can be left out.
   void finish(std::size_t begin, std::size_t end) {
-    constexpr std::size_t at_once = 64;
+    constexpr std::size_t at_once = kernels::block_size;
     Load sums[at_once];
     for (std::size_t from = begin, to = begin; from < end; from = to) {
       for (to = from; to < end && to - from < at_once && !t_.pairs.divided(to);) ++to;
