@@ -2,6 +2,7 @@
 #include "engine/contacts/evaluate.hpp"
 
 #include <algorithm>
+#include <atomic>
 
 #include "engine/base/parallel.hpp"
 
@@ -63,13 +64,13 @@ void evaluate_block(ContactBlock& b, std::size_t begin, const ContactClass& cont
   contact.kernel.scatter(b, near.load.data(), &near.place[begin], force);
 }
 
-/// Sums of parcels leave out pairs apart unless told of a contact. Divided parcels, which other threads would tell of
-/// theirs at the same time, leave nothing out.
+/// Sums of parcels leave out pairs apart unless told of a contact. Of a divided parcel several threads may tell at the same
+/// time; all say the same, and nobody asks before all are done.
 void note_meetings(NearPairs& near, std::size_t begin, int count) {
   for (std::size_t slot = begin; slot < begin + static_cast<std::size_t>(count); ++slot) {
     if (!near.touching[slot]) continue;
     for (const std::uint32_t parcel : {near.first[slot], near.second[slot]})
-      if (!near.divided(parcel)) near.meets[parcel] = 1;
+      std::atomic_ref(near.meets[parcel]).store(1, std::memory_order_relaxed);
   }
 }
 

@@ -45,6 +45,7 @@ void NearPairs::divide(int threads) {
   const std::size_t count = begin.size() - 1;
   shares_ = count < too_few_for_threads ? 1 : std::max(threads, 1);
   divided_.assign(shares_ > 1 ? count : 0, 0);
+  divided_ones_.clear();
   if (shares_ == 1) return;
   parallel_parts(shares_, [&](int part) {
     const auto [from, to] = share(part);
@@ -57,6 +58,8 @@ void NearPairs::divide(int threads) {
       for (std::uint32_t k = begin[i]; k < begin[i + 1] && !divided_[i]; ++k)
         divided_[i] = of_other(entry[k] >> 1);
   });
+  for (std::size_t i = 0; i < count; ++i)
+    if (divided_[i]) divided_ones_.push_back(static_cast<std::uint32_t>(i));
 }
 
 /// Numbers the places of close pairs in a share from 0, and returns how many there are. A place is given to another slot

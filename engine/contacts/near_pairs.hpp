@@ -72,6 +72,11 @@ class NearPairs {
   }
   /// Whether a slot of the parcel lies in a block of another share.
   bool divided(std::size_t parcel) const { return shares_ > 1 && divided_[parcel]; }
+  /// Those of all shares, in as many equal parts as there are shares.
+  std::span<const std::uint32_t> divided_ones(int part) const {
+    const std::size_t count = divided_ones_.size(), k = static_cast<std::size_t>(part), n = static_cast<std::size_t>(shares_);
+    return std::span(divided_ones_).subspan(count * k / n, count * (k + 1) / n - count * k / n);
+  }
   laws::History history(std::size_t slot) const;
   void set_history(std::size_t slot, const laws::History& history);
 
@@ -136,6 +141,7 @@ class NearPairs {
   std::vector<std::uint32_t> own_end_;  ///< [group * parcels + parcel]
   int shares_ = 1;
   std::vector<std::uint8_t> divided_;
+  std::vector<std::uint32_t> divided_ones_;
 };
 
 }  // namespace pulvis

@@ -145,51 +145,45 @@ class ShareOfSweep {
         [&](std::size_t begin, std::size_t end) { finish(begin, end); });
   }
 
-  /// Parcels with contacts in other shares, once all of those are evaluated.
+  /// Parcels with contacts in several shares, once all of those are evaluated.
   void finish_divided() {
-    const auto [from, to] = t_.pairs.share(part_);
-    for (std::size_t i = from; i < to; ++i)
-      if (t_.pairs.divided(i)) {
-        Load sum = t_.evaluator.sum_all(t_.pairs, i);
-        add_walls(i, t_.walls, sum);
-        finish(i, i + 1, &sum);
-      }
+    const std::span<const std::uint32_t> all = t_.pairs.divided_ones(part_);
+    for (std::size_t k = 0; k < all.size(); k += at_once)
+      finish({std::min(at_once, all.size() - k), 0, &all[k]});
   }
 
   StepNotice notice;
 
  private:
-  /// All of a range but the divided ones. Pairs that do not touch add zeros, which change no bit of a sum that began
-  /// with +0: so most of them can be left out.
+  static constexpr std::size_t at_once = kernels::block_size;
+
+  /// All of a range but the divided ones: what acts on those may be in the making.
   void finish(std::size_t begin, std::size_t end) {
-    constexpr std::size_t at_once = kernels::block_size;
-    Load sums[at_once];
     for (std::size_t from = begin, to = begin; from < end; from = to) {
       for (to = from; to < end && to - from < at_once && !t_.pairs.divided(to);) ++to;
-      if (to == from) {  // what acts on it may be in the making
+      if (to == from)
         ++to;
-        continue;
-      }
-      t_.evaluator.sum_close(t_.pairs, from, to, sums);
-      for (std::size_t i = from; i < to; ++i) {
-        Load& sum = sums[i - from];
-        std::uint8_t& meets = t_.pairs.meets[i];
-        if (meets) sum = t_.evaluator.sum_all(t_.pairs, i), meets = 0;
-        add_walls(i, t_.walls, sum);
-      }
-      finish(from, to, sums);
+      else
+        finish({to - from, from});
     }
   }
 
-  /// Parcels from `from` to `to`, `loads` being what acts on them but for body forces.
-  void finish(std::size_t from, std::size_t to, const Load* loads) {
+  /// Pairs that do not touch add zeros, which change no bit of a sum that began with +0: so most of them can be left out.
+  void finish(const kernels::SomeParcels& some) {
+    Load sums[at_once];
+    t_.evaluator.sum_close(t_.pairs, some, sums);
+    for (std::size_t k = 0; k < some.count; ++k) {
+      std::uint8_t& meets = t_.pairs.meets[some[k]];
+      if (meets) sums[k] = t_.evaluator.sum_all(t_.pairs, some[k]), meets = 0;
+      add_walls(some[k], t_.walls, sums[k]);
+    }
     if (plain_)
-      t_.evaluator.move()(*plain_, to - from, &t_.parcels.body[from], loads, &t_.reference[from],
-                          &t_.margin[from], notice);
+      t_.evaluator.move()(*plain_, some, sums, t_.parcels.body.data(), t_.reference.data(), t_.margin.data(), notice);
     else
-      for (std::size_t i = from; i < to; ++i) finish(i, loads[i - from]);
+      for (std::size_t k = 0; k < some.count; ++k) finish(some[k], sums[k]);
   }
 
+  /// One parcel, `sum` being what acts on it but for body forces.
   void finish(std::size_t i, Load sum) {
     Parcel& p = t_.parcels.body[i];
     sum.force += p.mass * fields_.end.at(p.position);

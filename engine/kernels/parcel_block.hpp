@@ -20,8 +20,16 @@ struct LoadsOfPairs {
 };
 inline constexpr std::size_t summands_at_once = 8, summands_behind = 4 * summands_at_once;
 
-/// Sums what pairs do to each parcel from `from` to `to`; sum[0] is that of `from`.
-using SumOfPairs = void (*)(const LoadsOfPairs& pairs, std::size_t from, std::size_t to, Load* sum);
+/// Up to block_size parcels of the store, ascending.
+struct SomeParcels {
+  std::size_t count;
+  std::size_t first;                    ///< the first of `count` that stand side by side, or, if there is
+  const std::uint32_t* list = nullptr;  ///< a list, of nothing
+  PULVIS_INLINE std::size_t operator[](std::size_t k) const { return list ? list[k] : first + k; }
+};
+
+/// Sums what pairs do to each of these parcels.
+using SumOfPairs = void (*)(const LoadsOfPairs& pairs, const SomeParcels& some, Load* sum);
 
 /// What the first half of a step noticed.
 struct StepNotice {
@@ -40,9 +48,10 @@ struct PlainStep {
   Vec3 drift;        ///< m, which the margins do not count
 };
 
-/// Up to block_size parcels: the second half of one step and the first half of the next, as finish and begin_one in
-/// engine/dynamics/integrate.cpp make them for one parcel. `load` is what acts on them but for gravity.
-using MoveParcels = void (*)(const PlainStep& step, std::size_t count, Parcel* parcels, const Load* load,
+/// The second half of one step and the first half of the next, as finish and begin_one in engine/dynamics/integrate.cpp
+/// make them for one parcel. `load`: of these parcels, what acts on them but for gravity. The other arrays are those of
+/// all parcels.
+using MoveParcels = void (*)(const PlainStep& step, const SomeParcels& some, const Load* load, Parcel* parcels,
                              Vec3* reference, const double* margin, StepNotice& notice);
 
 struct ParcelKernel {

@@ -16,14 +16,15 @@ PULVIS_INLINE void ask_for(const PairLoad& load) {
 /// Three numbers are taken as four, whose last nobody asks for. To add zeros is quicker than to find out whether to, and
 /// to have as many summands for all parcels quicker than for the processor to guess how many there are: most have
 /// fewer than are taken at once. What does not count is masked out, since the compiler would make a choice a branch.
-static void sum_pairs(const LoadsOfPairs& pairs, std::size_t from, std::size_t to, Load* sum) {
+static void sum_pairs(const LoadsOfPairs& pairs, const SomeParcels& given, Load* sum) {
   constexpr double sign[2] = {1.0, -1.0};
   constexpr std::size_t ahead = 3 * summands_at_once;
   const PairLoad* const load = pairs.load;
   const std::uint32_t* const summands = pairs.summand;
-  for (std::size_t i = from; i < to; ++i) {
+  const SomeParcels some = given;  // nobody else writes to it
+  for (std::size_t n = 0; n < some.count; ++n) {
     Four force{}, torque{};
-    const std::size_t end = pairs.begin[i + 1];
+    const std::size_t i = some[n], end = pairs.begin[i + 1];
     for (std::size_t k = pairs.begin[i]; k < end; k += summands_at_once)
       for (std::size_t j = 0; j < summands_at_once; ++j) {
         ask_for(load[summands[k + j + ahead] >> 1]);
@@ -44,13 +45,14 @@ struct ParcelLanes {
   alignas(64) Lane radius, mass, margin, names;  ///< names: id and species, which only pass through
 };
 
-static void read(ParcelLanes& b, std::size_t count, const Parcel* parcels, const Load* load,
+static void read(ParcelLanes& b, const SomeParcels& some, const Load* load, const Parcel* parcels,
                  const Vec3* reference, const double* margin) {
+  const std::size_t count = some.count;
   for (std::size_t k = 0; k < count; k += 4) {
     const double *p[4], *f[4];
     for (std::size_t j = 0; j < 4; ++j) {
       const std::size_t lane = k + j < count ? k + j : count - 1;  // what is left over repeats the last
-      p[j] = &parcels[lane].position.x;
+      p[j] = &parcels[some[lane]].position.x;
       f[j] = &load[lane].force.x;
     }
     const Quartet place = quartet(p, 0), velocity = quartet(p, 4), spin = quartet(p, 8);
@@ -65,27 +67,28 @@ static void read(ParcelLanes& b, std::size_t count, const Parcel* parcels, const
     put_four(b.torque.x + k, force.d), put_four(b.torque.y + k, torque.c), put_four(b.torque.z + k, torque.d);
   }
   for (std::size_t k = 0; k < count; ++k) {
-    store(b.reference, static_cast<int>(k), reference[k]);
-    b.margin[k] = margin[k];
+    store(b.reference, static_cast<int>(k), reference[some[k]]);
+    b.margin[k] = margin[some[k]];
   }
 }
 
-static void write(const ParcelLanes& b, std::size_t count, Parcel* parcels) {
+static void write(const ParcelLanes& b, const SomeParcels& some, Parcel* parcels) {
   std::size_t k = 0;
-  for (; k + 4 <= count; k += 4) {
+  for (; k + 4 <= some.count; k += 4) {
     double* p[4];
-    for (std::size_t j = 0; j < 4; ++j) p[j] = &parcels[k + j].position.x;
+    for (std::size_t j = 0; j < 4; ++j) p[j] = &parcels[some[k + j]].position.x;
     put_quartet(p, 0, {four_at(b.position.x + k), four_at(b.position.y + k), four_at(b.position.z + k),
                        four_at(b.radius + k)});
     put_quartet(p, 4, {four_at(b.velocity.x + k), four_at(b.velocity.y + k), four_at(b.velocity.z + k),
                        four_at(b.mass + k)});
     put_quartet(p, 8, {four_at(b.spin.x + k), four_at(b.spin.y + k), four_at(b.spin.z + k), four_at(b.names + k)});
   }
-  for (; k < count; ++k) {
+  for (; k < some.count; ++k) {
     const int lane = static_cast<int>(k);
-    parcels[k].position = load(b.position, lane);
-    parcels[k].velocity = load(b.velocity, lane);
-    parcels[k].spin = load(b.spin, lane);
+    Parcel& p = parcels[some[k]];
+    p.position = load(b.position, lane);
+    p.velocity = load(b.velocity, lane);
+    p.spin = load(b.spin, lane);
   }
 }
 
@@ -126,12 +129,13 @@ PULVIS_INLINE void inspect(const ParcelLanes& b, int k, const PlainStep& step, i
   stale |= dot(since, since) > margin * margin;
 }
 
-static void move_parcels(const PlainStep& given, std::size_t parcel_count, Parcel* parcels, const Load* load,
+static void move_parcels(const PlainStep& given, const SomeParcels& wanted, const Load* load, Parcel* parcels,
                          Vec3* reference, const double* margin, StepNotice& notice) {
-  const PlainStep step = given;  // nobody else writes to it
-  const int count = static_cast<int>(parcel_count);
+  const PlainStep step = given;
+  const SomeParcels some = wanted;
+  const int count = static_cast<int>(some.count);
   ParcelLanes b;
-  read(b, parcel_count, parcels, load, reference, margin);
+  read(b, some, load, parcels, reference, margin);
   int too_fast = 0, outside = 0, stale = 0;
 #pragma omp simd reduction(| : too_fast)
   for (int k = 0; k < count; ++k) kick_and_drift(b, k, step, too_fast);
@@ -140,9 +144,9 @@ static void move_parcels(const PlainStep& given, std::size_t parcel_count, Parce
                        (step.periodic[2] && wrap(b.position.z, b.reference.z, step.low.z, step.high.z, count));
 #pragma omp simd reduction(| : outside, stale)
   for (int k = 0; k < count; ++k) inspect(b, k, step, outside, stale);
-  write(b, parcel_count, parcels);
+  write(b, some, parcels);
   if (wrapped)
-    for (int k = 0; k < count; ++k) reference[k] = kernels::load(b.reference, k);
+    for (int k = 0; k < count; ++k) reference[some[static_cast<std::size_t>(k)]] = kernels::load(b.reference, k);
   notice.too_fast |= too_fast != 0;
   notice.outside |= outside != 0;
   notice.stale |= stale != 0;
