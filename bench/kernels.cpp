@@ -68,12 +68,14 @@ void kernel_of(benchmark::State& state, const NamedLaw& law, InstructionSet set)
   const kernels::ContactKernel kernel = kernels::contact_kernel(whole, set);
   auto block = std::make_unique<kernels::SeparateBlock>();
   block->count = block_size;
-  std::vector<PairLoad> loads(block_size + 1);
+  std::vector<PairLoad> loads(block_size);
+  std::vector<std::uint32_t> places(block_size);
+  std::iota(places.begin(), places.end(), 0u);
   std::fill_n(block->touching, block_size, 1.0);
   for (auto _ : state) {
     kernel.gather(*block, parcels.body.data(), first.data(), second.data(), 0);
     kernel.parcels(*block, constants.data(), dt);
-    kernel.scatter(*block, loads.data());
+    kernel.scatter(*block, loads.data(), places.data(), nullptr);
     benchmark::DoNotOptimize(loads.data());
     benchmark::ClobberMemory();
   }

@@ -25,7 +25,8 @@ using kernels::PairLoad;
 class NearPairs {
  public:
   static constexpr std::uint32_t no_parcel = 0xffffffffu;
-  static constexpr std::size_t parcels_at_once = 512;  ///< what they need of each other stays in the second cache
+  static constexpr std::size_t parcels_at_once =
+      512;  ///< what they need of each other stays in the second cache
 
   /// Finds all pairs closer than margin_i + margin_j + reach. `margin` is per parcel, m; `reach` covers
   /// contacts that hold beyond touching. Forgets all contacts: see `restore`.
@@ -74,7 +75,8 @@ class NearPairs {
   bool divided(std::size_t parcel) const { return shares_ > 1 && divided_[parcel]; }
   /// Those of all shares, in as many equal parts as there are shares.
   std::span<const std::uint32_t> divided_ones(int part) const {
-    const std::size_t count = divided_ones_.size(), k = static_cast<std::size_t>(part), n = static_cast<std::size_t>(shares_);
+    const std::size_t count = divided_ones_.size(), k = static_cast<std::size_t>(part),
+                      n = static_cast<std::size_t>(shares_);
     return std::span(divided_ones_).subspan(count * k / n, count * (k + 1) / n - count * k / n);
   }
   laws::History history(std::size_t slot) const;
@@ -104,8 +106,9 @@ class NearPairs {
   // Per slot. The first has the lower id.
   std::vector<std::uint32_t> first, second;
   std::vector<std::uint8_t> touching;
-  std::vector<std::uint32_t> place;  ///< where its load lies while it is needed; those of pairs apart come last
-  std::vector<Vec3> force;           ///< empty where nobody asked for them
+  std::vector<std::uint32_t>
+      place;                ///< where its load lies while it is needed; those of pairs apart come last
+  std::vector<Vec3> force;  ///< empty where nobody asked for them
 
   /// In places. A load is needed until both parcels have been summed up; then another contact takes its place, so that
   /// all of them stay in the caches. Two more of zeros, so that four numbers can be read anywhere.
@@ -121,9 +124,10 @@ class NearPairs {
 
   // Per parcel: entries [begin[k], begin[k + 1]) of `entry`, partners' ids ascending.
   std::vector<std::uint32_t> begin;
-  std::vector<std::uint32_t> entry;    ///< 2 slot + (1 if the parcel is the second)
-  std::vector<std::uint32_t> summand;  ///< the same with places for slots, no_summand() for pairs apart; some more at the end
-  std::vector<std::uint8_t> meets;   ///< touches one of those that were apart, in this step
+  std::vector<std::uint32_t> entry;  ///< 2 slot + (1 if the parcel is the second)
+  std::vector<std::uint32_t>
+      summand;  ///< the same with places for slots, no_summand() for pairs apart; some more at the end
+  std::vector<std::uint8_t> meets;  ///< touches one of those that were apart, in this step
 
  private:
   void search(const Parcels& parcels, std::span<const double> margin, double reach, const Box& box,

@@ -178,7 +178,8 @@ class ShareOfSweep {
       add_walls(some[k], t_.walls, sums[k]);
     }
     if (plain_)
-      t_.evaluator.move()(*plain_, some, sums, t_.parcels.body.data(), t_.reference.data(), t_.margin.data(), notice);
+      t_.evaluator.move()(*plain_, some, sums, t_.parcels.body.data(), t_.reference.data(), t_.margin.data(),
+                          notice);
     else
       for (std::size_t k = 0; k < some.count; ++k) finish(some[k], sums[k]);
   }
@@ -200,7 +201,8 @@ class ShareOfSweep {
   SweptThings& t_;
   const SweepFields& fields_;
   const StepBeginning* next_;
-  std::optional<kernels::PlainStep> plain_;  ///< where most steps are: the same as finishing parcels one by one, faster
+  std::optional<kernels::PlainStep>
+      plain_;  ///< where most steps are: the same as finishing parcels one by one, faster
   int part_;
 };
 

@@ -6,6 +6,7 @@
 #include "engine/contacts/near_pairs.hpp"
 #include "engine/contacts/near_walls.hpp"
 #include "engine/dynamics/body_force.hpp"
+#include "engine/kernels/parcel_block.hpp"
 #include "engine/parcels/domain.hpp"
 #include "engine/parcels/parcels.hpp"
 

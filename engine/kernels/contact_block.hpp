@@ -106,7 +106,8 @@ class ContactKernel {
   /// Whether any contact of the block exists or is nearer than `approach` (m).
   using Look = bool (*)(const ContactBlock& block, double approach);
   /// Brings the results to each contact's place, load[place[k]], and the forces also to force[k] unless that is null.
-  using Scatter = void (*)(const ContactBlock& block, PairLoad* load, const std::uint32_t* place, Vec3* force);
+  using Scatter = void (*)(const ContactBlock& block, PairLoad* load, const std::uint32_t* place,
+                           Vec3* force);
 
   /// Contacts of parcels, gathered.
   void parcels(ContactBlock& block, const double* pair_constants, double dt) const {

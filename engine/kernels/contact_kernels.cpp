@@ -73,10 +73,12 @@ static void scatter(const ContactBlock& b, PairLoad* load, const std::uint32_t* 
   for (; k + 4 <= b.count; k += 4) {
     double* to[4];
     for (int j = 0; j < 4; ++j) to[j] = &load[place[k + j]].force.x;
-    put_quartet(to, 0, {four_at(b.force.x + k), four_at(b.force.y + k), four_at(b.force.z + k),
-                        four_at(b.torque_first.x + k)});
-    put_quartet(to, 4, {four_at(b.torque_first.y + k), four_at(b.torque_first.z + k),
-                        four_at(b.torque_second.x + k), four_at(b.torque_second.y + k)});
+    put_quartet(to, 0,
+                {four_at(b.force.x + k), four_at(b.force.y + k), four_at(b.force.z + k),
+                 four_at(b.torque_first.x + k)});
+    put_quartet(to, 4,
+                {four_at(b.torque_first.y + k), four_at(b.torque_first.z + k), four_at(b.torque_second.x + k),
+                 four_at(b.torque_second.y + k)});
     for (int j = 0; j < 4; ++j) to[j][8] = b.torque_second.z[k + j];
   }
   for (; k < b.count; ++k)

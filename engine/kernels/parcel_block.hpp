@@ -51,8 +51,8 @@ struct PlainStep {
 /// The second half of one step and the first half of the next, as finish and begin_one in engine/dynamics/integrate.cpp
 /// make them for one parcel. `load`: of these parcels, what acts on them but for gravity. The other arrays are those of
 /// all parcels.
-using MoveParcels = void (*)(const PlainStep& step, const SomeParcels& some, const Load* load, Parcel* parcels,
-                             Vec3* reference, const double* margin, StepNotice& notice);
+using MoveParcels = void (*)(const PlainStep& step, const SomeParcels& some, const Load* load,
+                             Parcel* parcels, Vec3* reference, const double* margin, StepNotice& notice);
 
 struct ParcelKernel {
   SumOfPairs sum_of_pairs;

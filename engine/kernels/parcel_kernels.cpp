@@ -77,11 +77,14 @@ static void write(const ParcelLanes& b, const SomeParcels& some, Parcel* parcels
   for (; k + 4 <= some.count; k += 4) {
     double* p[4];
     for (std::size_t j = 0; j < 4; ++j) p[j] = &parcels[some[k + j]].position.x;
-    put_quartet(p, 0, {four_at(b.position.x + k), four_at(b.position.y + k), four_at(b.position.z + k),
-                       four_at(b.radius + k)});
-    put_quartet(p, 4, {four_at(b.velocity.x + k), four_at(b.velocity.y + k), four_at(b.velocity.z + k),
-                       four_at(b.mass + k)});
-    put_quartet(p, 8, {four_at(b.spin.x + k), four_at(b.spin.y + k), four_at(b.spin.z + k), four_at(b.names + k)});
+    put_quartet(p, 0,
+                {four_at(b.position.x + k), four_at(b.position.y + k), four_at(b.position.z + k),
+                 four_at(b.radius + k)});
+    put_quartet(p, 4,
+                {four_at(b.velocity.x + k), four_at(b.velocity.y + k), four_at(b.velocity.z + k),
+                 four_at(b.mass + k)});
+    put_quartet(p, 8,
+                {four_at(b.spin.x + k), four_at(b.spin.y + k), four_at(b.spin.z + k), four_at(b.names + k)});
   }
   for (; k < some.count; ++k) {
     const int lane = static_cast<int>(k);
@@ -139,14 +142,16 @@ static void move_parcels(const PlainStep& given, const SomeParcels& wanted, cons
   int too_fast = 0, outside = 0, stale = 0;
 #pragma omp simd reduction(| : too_fast)
   for (int k = 0; k < count; ++k) kick_and_drift(b, k, step, too_fast);
-  const bool wrapped = (step.periodic[0] && wrap(b.position.x, b.reference.x, step.low.x, step.high.x, count)) |
-                       (step.periodic[1] && wrap(b.position.y, b.reference.y, step.low.y, step.high.y, count)) |
-                       (step.periodic[2] && wrap(b.position.z, b.reference.z, step.low.z, step.high.z, count));
+  const bool wrapped =
+      (step.periodic[0] && wrap(b.position.x, b.reference.x, step.low.x, step.high.x, count)) |
+      (step.periodic[1] && wrap(b.position.y, b.reference.y, step.low.y, step.high.y, count)) |
+      (step.periodic[2] && wrap(b.position.z, b.reference.z, step.low.z, step.high.z, count));
 #pragma omp simd reduction(| : outside, stale)
   for (int k = 0; k < count; ++k) inspect(b, k, step, outside, stale);
   write(b, some, parcels);
   if (wrapped)
-    for (int k = 0; k < count; ++k) reference[some[static_cast<std::size_t>(k)]] = kernels::load(b.reference, k);
+    for (int k = 0; k < count; ++k)
+      reference[some[static_cast<std::size_t>(k)]] = kernels::load(b.reference, k);
   notice.too_fast |= too_fast != 0;
   notice.outside |= outside != 0;
   notice.stale |= stale != 0;

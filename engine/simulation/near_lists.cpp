@@ -36,7 +36,8 @@ Vec3 Simulation::common_velocity() const {
 /// How fast each parcel is, m/s, against what all do together, or the fastest of what it could meet before the lists are
 /// made anew: it may take that speed over when they collide. Those are in the lists as they were.
 std::vector<double> Simulation::expected_speeds(std::span<const std::uint32_t> old_index) const {
-  const std::size_t count = state_.parcels.size(), old_count = pairs_.begin.empty() ? 0 : pairs_.begin.size() - 1;
+  const std::size_t count = state_.parcels.size(),
+                    old_count = pairs_.begin.empty() ? 0 : pairs_.begin.size() - 1;
   std::vector<double> speed(count), old_speed(old_count, 0.0);
   for (std::size_t i = 0; i < count; ++i) {
     const Parcel& p = state_.parcels.body[i];

@@ -163,6 +163,74 @@ TEST(NearPairs, AreNoneAmongNoneAndOneParcel) {
   }
 }
 
+/// Goes through a step as threads do, one after the other: the load of a slot must still lie in its place when each of its
+/// parcels is summed up, and in nobody else's way.
+void expect_loads_stay_while_they_are_needed(const NearPairs& near) {
+  constexpr std::size_t nobody = ~std::size_t{0};
+  std::vector<std::size_t> holder(near.load.size(), nobody);
+  std::vector<bool> done(near.begin.size() - 1, false);
+  std::size_t evaluated = 0, summed = 0;
+  const auto sum_up = [&](std::size_t i) {
+    done[i] = true;
+    for (std::uint32_t k = near.begin[i]; k < near.begin[i + 1]; ++k) {
+      const std::size_t slot = near.entry[k] >> 1;
+      if (slot >= near.first_apart()) {
+        ASSERT_EQ(near.summand[k], near.no_summand());
+        continue;
+      }
+      ASSERT_EQ(near.summand[k], 2 * near.place[slot] + (near.entry[k] & 1u));
+      ASSERT_EQ(holder[near.place[slot]], slot);
+      if (done[near.first[slot]] && done[near.second[slot]]) holder[near.place[slot]] = nobody, ++summed;
+    }
+  };
+  for (int part = 0; part < near.shares(); ++part) {
+    std::vector<std::size_t> cursors(near.groups());
+    near.go_through(
+        part, cursors,
+        [&](std::size_t group, std::size_t begin) {
+          for (std::size_t slot = begin; slot < std::min(begin + kernels::block_size, near.group_end[group]);
+               ++slot) {
+            ASSERT_EQ(holder[near.place[slot]], nobody) << "slot " << slot << " of " << near.slots();
+            holder[near.place[slot]] = slot;
+            ++evaluated;
+          }
+        },
+        [&](std::size_t from, std::size_t to) {
+          for (std::size_t i = from; i < to; ++i)
+            if (!near.divided(i)) sum_up(i);
+        });
+  }
+  std::size_t divided = 0;
+  for (int part = 0; part < near.shares(); ++part)
+    for (const std::uint32_t i : near.divided_ones(part)) {
+      ASSERT_TRUE(near.divided(i));
+      sum_up(i);
+      ++divided;
+    }
+  EXPECT_EQ(divided > 0, near.shares() > 1);
+  EXPECT_EQ(std::count(done.begin(), done.end(), true), static_cast<std::ptrdiff_t>(done.size()));
+  std::size_t pairs = 0, close = 0;
+  for (std::size_t slot = 0; slot < near.slots(); ++slot)
+    if (near.is_pair(slot)) ++pairs, close += slot < near.first_apart();
+  EXPECT_EQ(evaluated, pairs);
+  EXPECT_EQ(summed, close);
+}
+
+TEST(NearPairs, LoadsStayInTheirPlacesWhileTheyAreNeeded) {
+  for (std::uint64_t number = 0; number < 4; ++number) {
+    Packing p = random_packing(600 + number, column, 4000, 2.0);
+    std::sort(p.parcels.body.begin(), p.parcels.body.end(),  // the store is sorted along space
+              [](const Parcel& a, const Parcel& b) { return a.position.x < b.position.x; });
+    for (const int threads : {1, 2, 3}) {
+      NearPairs near;
+      near.rebuild(p.parcels, one_class, p.margin, p.reach, p.box, p.slide, threads);
+      expect_loads_stay_while_they_are_needed(near);
+      if (HasFatalFailure()) return;
+      if (threads == 1) EXPECT_LT(near.load.size() - (near.slots() - near.first_apart()), near.first_apart());
+    }
+  }
+}
+
 /// The same sheared: flow and gradient along any two axes, images shifted by up to half of the box.
 Packing random_sheared_packing(std::uint64_t number, std::size_t count, double smallest_period) {
   Packing p = random_packing(number, all_around, count, smallest_period);
