@@ -37,8 +37,8 @@ const Series series[] = {{"hertz", "box-filling.toml", {"stress"}, true},
 
 /// Coarse beds scatter more, for they have fewer parcels. Without cohesion small differences are judged: each factor has as
 /// many parcels in all. Those between similarities are larger.
-int seeds_at(const Series& series, double factor, double finest, int seeds) {
-  const double power = series.similarities.size() == 1 ? 3.0 : 1.5;
+int seeds_at(const Series& s, double factor, double finest, int seeds) {
+  const double power = s.similarities.size() == 1 ? 3.0 : 1.5;
   return static_cast<int>(std::lround(seeds * std::pow(factor / finest, power)));
 }
 

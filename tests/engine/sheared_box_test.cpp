@@ -17,7 +17,7 @@ using pulvis::validation::Draw;
 namespace {
 
 constexpr double width = 0.008;
-constexpr std::uint64_t steps = 3000;
+constexpr std::uint64_t steps = 3400;
 
 struct Choice {
   const char *normal, *sliding, *cohesion;

@@ -83,7 +83,7 @@ Model shaken_filling(const char* normal, double dt) {
   m.energy_ledger = true;
   m.walls.bodies.push_back({"floor", {0}});
   m.walls.bodies.push_back({"sides", {}});
-  const auto wall = [&](const char* name, std::size_t body, const Vec3& point, const Vec3& inside) {
+  const auto wall = [&](const char* name, std::uint32_t body, const Vec3& point, const Vec3& inside) {
     Surface surface = plane_surface(name, point, inside);
     surface.body = body;
     m.walls.surfaces.push_back(surface);
