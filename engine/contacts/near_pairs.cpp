@@ -35,7 +35,9 @@ std::size_t group_of(const Parcels& parcels, const ContactClasses& classes, std:
 void NearPairs::rebuild(const Parcels& parcels, const ContactClasses& classes, std::span<const double> margin,
                         double reach, const Box& box, const Slide& slide, int threads) {
   search(parcels, margin, reach, box, slide, threads);
+  grid_ = {};  // large, and not needed before the next time
   assign_slots(parcels, classes, threads);
+  partner_ = {};
   divide(threads);
   assign_places();
   meets.assign(parcels.size(), 0);
