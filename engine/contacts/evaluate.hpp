@@ -31,8 +31,7 @@ class ContactEvaluator {
              std::size_t begin, const Images& images, double dt, int part);
   /// What pairs do to some parcels, but for those apart; and what all near pairs do to one.
   void sum_close(const NearPairs& near, const kernels::SomeParcels& some, Load* sum) const {
-    parcel_kernel_.sum_of_pairs({near.load.data(), near.no_summand(), near.begin.data(), near.summand.data()},
-                                some, sum);
+    parcel_kernel_.sum_of_pairs({near.load.data(), near.begin.data(), near.summand.data()}, some, sum);
   }
   static Load sum_all(const NearPairs& near, std::size_t parcel);
   /// Takes parcels from the end of one step to the middle of the next.

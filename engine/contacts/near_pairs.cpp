@@ -112,7 +112,7 @@ void NearPairs::assign_places() {
   });
   for (std::size_t slot = first_apart(); slot < slots(); ++slot) place[slot] = count++;
   load.assign(count + 2, {});
-  summand.assign(entry.size() + kernels::summands_behind, no_summand());
+  summand.assign(entry.size() + kernels::summands_ahead, no_summand());
   parallel_shares(entry.size(), shares_, [&](std::size_t from, std::size_t to, int) {
     for (std::size_t k = from; k < to; ++k)
       if (const std::size_t slot = entry[k] >> 1; slot < first_apart())

@@ -11,14 +11,13 @@ namespace pulvis::kernels {
 
 /// Loads of contacts in their places, and which of them act on each parcel: summand[begin[i]] to summand[begin[i + 1]]
 /// are those of parcel i in the order they are added in, each 2 place, + 1 if the parcel is the second of the pair.
-/// Behind the last there are at least `summands_behind` more that may be read.
+/// Behind the last there are `summands_ahead` more that may be read.
 struct LoadsOfPairs {
   const PairLoad* load;
-  std::size_t nothing;  ///< a summand whose load is zero
   const std::uint32_t* begin;
   const std::uint32_t* summand;
 };
-inline constexpr std::size_t summands_at_once = 8, summands_behind = 4 * summands_at_once;
+inline constexpr std::size_t summands_ahead = 24;  ///< so far ahead a sum asks memory for loads
 
 /// Up to block_size parcels of the store, ascending.
 struct SomeParcels {

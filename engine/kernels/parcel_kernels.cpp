@@ -13,28 +13,21 @@ PULVIS_INLINE void ask_for(const PairLoad& load) {
   __builtin_prefetch(at + 64);
 }
 
-/// Three numbers are taken as four, whose last nobody asks for. To add zeros is quicker than to find out whether to, and
-/// to have as many summands for all parcels quicker than for the processor to guess how many there are: most have
-/// fewer than are taken at once. What does not count is masked out, since the compiler would make a choice a branch.
+/// Three numbers are taken as four, whose last nobody asks for. To add a zero is quicker than to find out whether to.
 static void sum_pairs(const LoadsOfPairs& pairs, const SomeParcels& given, Load* sum) {
   constexpr double sign[2] = {1.0, -1.0};
-  constexpr std::size_t ahead = 3 * summands_at_once;
   const PairLoad* const load = pairs.load;
   const std::uint32_t* const summands = pairs.summand;
   const SomeParcels some = given;  // nobody else writes to it
   for (std::size_t n = 0; n < some.count; ++n) {
     Four force{}, torque{};
-    const std::size_t i = some[n], end = pairs.begin[i + 1];
-    for (std::size_t k = pairs.begin[i]; k < end; k += summands_at_once)
-      for (std::size_t j = 0; j < summands_at_once; ++j) {
-        ask_for(load[summands[k + j + ahead] >> 1]);
-        const std::size_t counts = -static_cast<std::size_t>(k + j < end);
-        const std::size_t summand = pairs.nothing ^ ((summands[k + j] ^ pairs.nothing) & counts);
-        const std::size_t side = summand & 1u;
-        const double* in_place = &load[summand >> 1].force.x;
-        force += sign[side] * four_at(in_place);
-        torque += four_at(in_place + 3 + 3 * side);
-      }
+    for (std::uint32_t k = pairs.begin[some[n]]; k < pairs.begin[some[n] + 1]; ++k) {
+      ask_for(load[summands[k + summands_ahead] >> 1]);
+      const std::uint32_t side = summands[k] & 1u;
+      const double* in_place = &load[summands[k] >> 1].force.x;
+      force += sign[side] * four_at(in_place);
+      torque += four_at(in_place + 3 + 3 * side);
+    }
     *sum++ = {{force[0], force[1], force[2]}, {torque[0], torque[1], torque[2]}};
   }
 }
