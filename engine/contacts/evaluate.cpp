@@ -43,7 +43,7 @@ void evaluate_block(ContactBlock& b, std::size_t begin, const ContactClass& cont
                     const Parcels& parcels, double approach, double dt) {
   const std::size_t block = begin / kernels::block_size;
   b.springs = &near.springs[block];
-  if (block + 1 < near.springs.size()) ask_for(near.springs[block + 1]);
+  if (begin + kernels::block_size < near.first_apart()) ask_for(near.springs[block + 1]);
   if (near.remembers) b.memory = &near.memory[block];
   std::uint8_t* touching = &near.touching[begin];
   for (int k = 0; k < b.count; ++k) b.touching[k] = touching[k];

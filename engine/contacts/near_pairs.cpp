@@ -34,10 +34,7 @@ std::size_t group_of(const Parcels& parcels, const ContactClasses& classes, std:
 
 void NearPairs::rebuild(const Parcels& parcels, const ContactClasses& classes, std::span<const double> margin,
                         double reach, const Box& box, const Slide& slide, int threads) {
-  search(parcels, margin, reach, box, slide, threads);
-  grid_ = {};  // large, and not needed before the next time
-  assign_slots(parcels, classes, threads);
-  partner_ = {};
+  assign_slots(parcels, classes, search(parcels, margin, reach, box, slide, threads), threads);
   divide(threads);
   assign_places();
   meets.assign(parcels.size(), 0);
@@ -64,20 +61,21 @@ void NearPairs::divide(int threads) {
     if (divided_[i]) divided_ones_.push_back(static_cast<std::uint32_t>(i));
 }
 
-/// Numbers the places of close pairs in a share from 0, and returns how many there are. A place is given to another slot
+/// Numbers the places of a share from 0, and returns how many there are. A place is given to another slot
 /// once both parcels have been summed up; divided ones are so at the end of the step only.
 std::uint32_t NearPairs::number_places(int part) {
   std::vector<std::size_t> cursors(groups());
-  std::vector<std::uint32_t> free;
+  std::vector<std::uint32_t>
+      free[2];  // those of pairs apart are hardly used, and must not lie between the others
   std::uint32_t count = 0;
   const auto give = [&](std::size_t group, std::size_t start) {
-    if (are_apart(group)) return;
+    std::vector<std::uint32_t>& mine = free[are_apart(group)];
     for (std::size_t slot = start; slot < std::min(start + kernels::block_size, group_end[group]); ++slot) {
-      if (free.empty()) {
+      if (mine.empty()) {
         place[slot] = count++;
       } else {
-        place[slot] = free.back();
-        free.pop_back();
+        place[slot] = mine.back();
+        mine.pop_back();
       }
     }
   };
@@ -86,7 +84,7 @@ std::uint32_t NearPairs::number_places(int part) {
       if (divided(i)) continue;
       for (std::uint32_t k = begin[i]; k < begin[i + 1]; ++k) {
         const std::size_t slot = entry[k] >> 1, other = entry[k] & 1u ? first[slot] : second[slot];
-        if (slot < first_apart() && other < i && !divided(other)) free.push_back(place[slot]);
+        if (other < i && !divided(other)) free[slot >= first_apart()].push_back(place[slot]);
       }
     }
   };
@@ -99,19 +97,18 @@ void NearPairs::assign_places() {
   std::vector<std::uint32_t> places_of(static_cast<std::size_t>(shares_));
   parallel_parts(shares_, [&](int part) { places_of[static_cast<std::size_t>(part)] = number_places(part); });
   std::uint32_t count = 0;
-  for (std::uint32_t& of_part : places_of) of_part = std::exchange(count, count + of_part);
+  // One between shares stays unused: of a load in the last place a sum reads one number too many.
+  for (std::uint32_t& of_part : places_of) of_part = std::exchange(count, count + of_part + 1);
   parallel_parts(shares_, [&](int part) {
     std::vector<std::size_t> cursors(groups());
     const std::uint32_t before = places_of[static_cast<std::size_t>(part)];
     const auto shift = [&](std::size_t group, std::size_t start) {
-      if (are_apart(group)) return;
       for (std::size_t slot = start; slot < std::min(start + kernels::block_size, group_end[group]); ++slot)
         place[slot] += before;
     };
     if (before > 0) go_through(part, cursors, shift, [](std::size_t, std::size_t) {});
   });
-  for (std::size_t slot = first_apart(); slot < slots(); ++slot) place[slot] = count++;
-  load.assign(count + 2, {});
+  load.assign(count + 1, {});
   summand.assign(entry.size() + kernels::summands_ahead, no_summand());
   parallel_shares(entry.size(), shares_, [&](std::size_t from, std::size_t to, int) {
     for (std::size_t k = from; k < to; ++k)
@@ -145,15 +142,16 @@ laws::Memory NearPairs::memory_of(std::size_t slot) const {
   return {m.plastic[k], m.adhesion[k], m.grip[k]};
 }
 
-void NearPairs::search(const Parcels& parcels, std::span<const double> margin, double reach, const Box& box,
-                       const Slide& slide, int threads) {
+NearPairs::Partners NearPairs::search(const Parcels& parcels, std::span<const double> margin, double reach,
+                                      const Box& box, const Slide& slide, int threads) {
   const std::size_t count = parcels.size();
   double widest = 0.0;
   for (std::size_t k = 0; k < count; ++k) widest = std::max(widest, parcels.body[k].radius + margin[k]);
-  grid_.build(box, 2.0 * widest + reach, count, [&](std::size_t k) { return parcels.body[k].position; });
+  CellGrid grid;
+  grid.build(box, 2.0 * widest + reach, count, [&](std::size_t k) { return parcels.body[k].position; });
 
   // Copied in the order of the cells, so that a scan reads memory forwards.
-  const auto order = grid_.order();
+  const auto order = grid.order();
   std::vector<Candidate> candidate(count);
   parallel_shares(count, threads, [&](std::size_t from, std::size_t to, int) {
     for (std::size_t k = from; k < to; ++k) {
@@ -178,7 +176,7 @@ void NearPairs::search(const Parcels& parcels, std::span<const double> margin, d
       const double own = radius + margin[i], own_close = radius + close_share * margin[i];
       const std::uint64_t name = name_of(parcels.body[i].id, static_cast<std::uint32_t>(i));
       std::size_t count_near = 0;
-      grid_.for_ranges_around(grid_.cell_of(i), slide, [&](std::uint32_t first_k, std::uint32_t last_k) {
+      grid.for_ranges_around(grid.cell_of(i), slide, [&](std::uint32_t first_k, std::uint32_t last_k) {
         if (near.size() < count_near + (last_k - first_k)) near.resize(2 * near.size() + (last_k - first_k));
         // Every one is written and most are overwritten: nobody can guess which candidates are near.
         for (std::uint32_t k = first_k; k < last_k; ++k) {
@@ -196,22 +194,24 @@ void NearPairs::search(const Parcels& parcels, std::span<const double> margin, d
     }
   });
   for (std::size_t i = 0; i < count; ++i) begin[i + 1] += begin[i];
-  partner_.assign(begin[count], 0);
+  Partners partners(begin[count]);
   for (std::size_t t = 0; t < found.size(); ++t)
     if (!found[t].empty())
-      std::copy(found[t].begin(), found[t].end(), partner_.begin() + begin[share_begin[t]]);
+      std::copy(found[t].begin(), found[t].end(), partners.begin() + begin[share_begin[t]]);
+  return partners;
 }
 
 /// Numbers the slots: by group, in it by the parcel that stands first in the store, so that slots follow the
 /// store's order. Returns their number.
-std::size_t NearPairs::count_slots(const Parcels& parcels, const ContactClasses& classes, int threads) {
+std::size_t NearPairs::count_slots(const Parcels& parcels, const ContactClasses& classes,
+                                   const Partners& partners, int threads) {
   const std::size_t count = parcels.size(), group_count = 2 * classes.all().size();
   own_end_.assign(group_count * count, 0);
   parallel_shares(count, threads, [&](std::size_t from, std::size_t to, int) {
     for (std::size_t i = from; i < to; ++i)
       for (std::uint32_t k = begin[i]; k < begin[i + 1]; ++k)
-        if (const std::uint32_t j = partner_[k] >> 1; j > i)
-          ++own_end_[group_of(parcels, classes, i, partner_[k]) * count + i];
+        if (const std::uint32_t j = partners[k] >> 1; j > i)
+          ++own_end_[group_of(parcels, classes, i, partners[k]) * count + i];
   });
   std::size_t total = 0;
   group_begin.assign(group_count, 0);
@@ -232,8 +232,9 @@ std::size_t NearPairs::count_slots(const Parcels& parcels, const ContactClasses&
   return total;
 }
 
-void NearPairs::assign_slots(const Parcels& parcels, const ContactClasses& classes, int threads) {
-  const std::size_t count = parcels.size(), slot_count = count_slots(parcels, classes, threads);
+void NearPairs::assign_slots(const Parcels& parcels, const ContactClasses& classes, const Partners& partners,
+                             int threads) {
+  const std::size_t count = parcels.size(), slot_count = count_slots(parcels, classes, partners, threads);
   const std::size_t block_count = (slot_count + kernels::block_size - 1) / kernels::block_size;
   first.assign(slot_count, 0);
   second.assign(slot_count, 0);
@@ -241,13 +242,13 @@ void NearPairs::assign_slots(const Parcels& parcels, const ContactClasses& class
   force.clear();
   springs.assign(block_count, {});
   memory.assign(remembers ? block_count : 0, {});
-  entry.assign(partner_.size(), 0);
+  entry.assign(partners.size(), 0);
   parallel_shares(count, threads, [&](std::size_t from, std::size_t to, int) {
     for (std::size_t i = from; i < to; ++i)
       for (std::uint32_t k = begin[i]; k < begin[i + 1]; ++k) {
-        const std::uint32_t j = partner_[k] >> 1;
+        const std::uint32_t j = partners[k] >> 1;
         if (j < i) continue;
-        const std::uint32_t slot = own_end_[group_of(parcels, classes, i, partner_[k]) * count + i]++;
+        const std::uint32_t slot = own_end_[group_of(parcels, classes, i, partners[k]) * count + i]++;
         const bool is_second = parcels.body[i].id > parcels.body[j].id;
         first[slot] = is_second ? j : static_cast<std::uint32_t>(i);
         second[slot] = is_second ? static_cast<std::uint32_t>(i) : j;
@@ -259,15 +260,15 @@ void NearPairs::assign_slots(const Parcels& parcels, const ContactClasses& class
   parallel_shares(count, threads, [&](std::size_t from, std::size_t to, int) {
     for (std::size_t i = from; i < to; ++i)
       for (std::uint32_t k = begin[i]; k < begin[i + 1]; ++k) {
-        const std::uint32_t j = partner_[k] >> 1;
+        const std::uint32_t j = partners[k] >> 1;
         if (j > i) continue;
-        const auto last = partner_.begin() + begin[j + 1];
-        const auto at = std::find_if(partner_.begin() + begin[j], last,
+        const auto last = partners.begin() + begin[j + 1];
+        const auto at = std::find_if(partners.begin() + begin[j], last,
                                      [i](std::uint32_t partner) { return partner >> 1 == i; });
         if (at == last)
           one_sided = true;
         else
-          entry[k] = entry[static_cast<std::size_t>(at - partner_.begin())] ^ 1u;
+          entry[k] = entry[static_cast<std::size_t>(at - partners.begin())] ^ 1u;
       }
   });
   if (one_sided) throw Failure(Exit::internal_check, "a near pair is listed by one of its parcels only");

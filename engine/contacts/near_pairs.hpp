@@ -17,7 +17,7 @@ namespace pulvis {
 using kernels::PairLoad;
 
 /// Pairs of parcels that touch or could before the next rebuild. Each pair has one slot, which holds its
-/// history and result; each parcel has a list of its slots, sorted by the partner's id, so that sums run in
+/// history; each parcel has a list of its slots, sorted by the partner's id, so that sums run in
 /// the same order whatever the lists contain besides. Slots of one group lie together and each group begins a new
 /// block of the kernels, so that blocks of slots are evaluated where they stand; slots that only fill a block up
 /// belong to no entry and never touch. A contact class has two groups: pairs that touched or nearly did when the lists
@@ -97,21 +97,20 @@ class NearPairs {
   }
   std::size_t groups() const { return group_begin.size(); }
 
-  /// Force on the first of a pair at the end of the last step, N, if that was made with `keeps_forces`.
+  /// Force on the first of a pair at the end of the last step, N, if that kept the forces; else zero.
   Vec3 force_on_first(std::size_t slot) const { return force.empty() ? Vec3{} : force[slot]; }
-  std::uint32_t no_summand() const { return static_cast<std::uint32_t>(2 * (load.size() - 2)); }
-  /// Whether the step that comes shall keep the forces.
+  std::uint32_t no_summand() const { return static_cast<std::uint32_t>(2 * (load.size() - 1)); }
+  /// Forgets the forces, and says whether the step that comes shall keep its own.
   void keep_forces(bool keep);
 
   // Per slot. The first has the lower id.
   std::vector<std::uint32_t> first, second;
   std::vector<std::uint8_t> touching;
-  std::vector<std::uint32_t>
-      place;                ///< where its load lies while it is needed; those of pairs apart come last
-  std::vector<Vec3> force;  ///< empty where nobody asked for them
+  std::vector<std::uint32_t> place;  ///< where its load lies while it is needed
+  std::vector<Vec3> force;           ///< empty where nobody asked for them
 
   /// In places. A load is needed until both parcels have been summed up; then another contact takes its place, so that
-  /// all of them stay in the caches. Two more of zeros, so that four numbers can be read anywhere.
+  /// there are about as many as a slice or two of the powder has pairs. The last is always zero.
   std::vector<PairLoad> load;
 
   // Per block of slots.
@@ -130,18 +129,20 @@ class NearPairs {
   std::vector<std::uint8_t> meets;  ///< touches one of those that were apart, in this step
 
  private:
-  void search(const Parcels& parcels, std::span<const double> margin, double reach, const Box& box,
-              const Slide& slide, int threads);
-  void assign_slots(const Parcels& parcels, const ContactClasses& classes, int threads);
-  std::size_t count_slots(const Parcels& parcels, const ContactClasses& classes, int threads);
+  /// Per entry: 2 index of the partner (+ 1 if they are apart).
+  using Partners = std::vector<std::uint32_t>;
+  Partners search(const Parcels& parcels, std::span<const double> margin, double reach, const Box& box,
+                  const Slide& slide, int threads);
+  void assign_slots(const Parcels& parcels, const ContactClasses& classes, const Partners& partners,
+                    int threads);
+  std::size_t count_slots(const Parcels& parcels, const ContactClasses& classes, const Partners& partners,
+                          int threads);
   void divide(int threads);
   void assign_places();
   std::uint32_t number_places(int part);
   laws::Memory memory_of(std::size_t slot) const;
   void set_memory(std::size_t slot, const laws::Memory& memory);
 
-  CellGrid grid_;
-  std::vector<std::uint32_t> partner_;  ///< per entry: 2 index (+ 1 if they are apart)
   std::vector<std::uint32_t> own_end_;  ///< [group * parcels + parcel]
   int shares_ = 1;
   std::vector<std::uint8_t> divided_;

@@ -4,7 +4,7 @@
 #include <array>
 #include <cstddef>
 
-#include "engine/kernels/contact_block.hpp"
+#include "engine/kernels/parcel_block.hpp"
 #include "engine/laws/catalogue.hpp"
 #include "engine/math/four.hpp"
 #include "engine/parcels/domain.hpp"
@@ -15,11 +15,6 @@ namespace PULVIS_ISA {
 // --- between the store and the lanes ----------------------------------------------------------------------
 //
 // Records are read and written whole and turned into lanes in registers (engine/math/four.hpp).
-
-static_assert(sizeof(Parcel) == 12 * sizeof(double));
-static_assert(offsetof(Parcel, radius) == 3 * sizeof(double) &&
-              offsetof(Parcel, velocity) == 4 * sizeof(double) &&
-              offsetof(Parcel, mass) == 7 * sizeof(double) && offsetof(Parcel, spin) == 8 * sizeof(double));
 
 /// Asks for the records that the block after this one will need: they lie all over the store, and the processor cannot
 /// see so far ahead by itself.
@@ -65,8 +60,6 @@ static void gather(ContactBlock& b, const Parcel* parcels, const std::uint32_t* 
     put_four(b.spin_second.z + k, q_spin.c);
   }
 }
-
-static_assert(sizeof(PairLoad) == 9 * sizeof(double));
 
 static void scatter(const ContactBlock& b, PairLoad* load, const std::uint32_t* place, Vec3* force) {
   int k = 0;

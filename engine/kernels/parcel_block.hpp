@@ -19,11 +19,20 @@ struct LoadsOfPairs {
 };
 inline constexpr std::size_t summands_ahead = 24;  ///< so far ahead a sum asks memory for loads
 
-/// Up to block_size parcels of the store, ascending.
+// Kernels read these whole and take them apart in lanes.
+static_assert(sizeof(Parcel) == 12 * sizeof(double) && offsetof(Parcel, radius) == 3 * sizeof(double) &&
+              offsetof(Parcel, velocity) == 4 * sizeof(double) &&
+              offsetof(Parcel, mass) == 7 * sizeof(double) && offsetof(Parcel, spin) == 8 * sizeof(double) &&
+              offsetof(Parcel, id) == 11 * sizeof(double));
+static_assert(sizeof(Load) == 6 * sizeof(double) && offsetof(Load, torque) == 3 * sizeof(double));
+static_assert(sizeof(PairLoad) == 9 * sizeof(double) &&
+              offsetof(PairLoad, torque_first) == 3 * sizeof(double));
+
+/// Up to block_size parcels of the store: `count` from `first` on, or, where there is a `list`, those it names.
 struct SomeParcels {
   std::size_t count;
-  std::size_t first;                    ///< the first of `count` that stand side by side, or, if there is
-  const std::uint32_t* list = nullptr;  ///< a list, of nothing
+  std::size_t first;
+  const std::uint32_t* list = nullptr;  ///< ascending
   PULVIS_INLINE std::size_t operator[](std::size_t k) const { return list ? list[k] : first + k; }
 };
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "engine/base/failure.hpp"
+#include "engine/base/parallel.hpp"
 #include "engine/simulation/simulation.hpp"
 
 namespace pulvis {
@@ -45,20 +46,21 @@ std::vector<double> Simulation::expected_speeds(std::span<const std::uint32_t> o
     speed[i] = norm(own) + 0.5 * magnitude(model_.domain.shear.rate) * p.radius;
     if (old_index[i] < old_count) old_speed[old_index[i]] = speed[i];
   }
-  std::vector<double> expected = old_speed;
-  for (std::size_t slot = 0; slot < pairs_.slots(); ++slot) {
-    const std::uint32_t i = pairs_.first[slot], j = pairs_.second[slot];
-    expected[i] = greatest(expected[i], old_speed[j]);
-    expected[j] = greatest(expected[j], old_speed[i]);
-  }
   std::vector<double> of_body(poses_.size());
   for (std::size_t b = 0; b < of_body.size(); ++b) of_body[b] = speed_against_drift(b);
-  for (std::size_t slot = 0; slot < walls_.slots(); ++slot) {
-    double& of_parcel = expected[walls_.parcel[slot]];
-    of_parcel = greatest(of_parcel, of_body[model_.walls.surfaces[walls_.surface[slot]].body]);
-  }
-  for (std::size_t i = 0; i < count; ++i)
-    if (old_index[i] < old_count) speed[i] = expected[old_index[i]];
+  parallel_shares(count, threads(), [&](std::size_t from, std::size_t to, int) {
+    for (std::size_t i = from; i < to; ++i) {
+      const std::uint32_t old = old_index[i];
+      if (old >= old_count) continue;
+      for (std::uint32_t k = pairs_.begin[old]; k < pairs_.begin[old + 1]; ++k) {
+        const std::uint32_t slot = pairs_.entry[k] >> 1;
+        const std::uint32_t partner = pairs_.entry[k] & 1u ? pairs_.first[slot] : pairs_.second[slot];
+        speed[i] = greatest(speed[i], old_speed[partner]);
+      }
+      for (std::uint32_t slot = walls_.begin[old]; slot < walls_.begin[old + 1]; ++slot)
+        speed[i] = greatest(speed[i], of_body[model_.walls.surfaces[walls_.surface[slot]].body]);
+    }
+  });
   return speed;
 }
 

@@ -190,7 +190,7 @@ void Simulation::insert_due_parcels() {
       state_.ledger.inserted_mass += p.mass;
       if (energy_) energy_->insert(state_.energy, p, field());
     }
-    if (source.done) model_.sources[k].list = {};  // a bed is given once
+    if (source.done) std::vector<Parcel>().swap(model_.sources[k].list);  // a bed is given once
   }
   times_.book(Task::insertion);
   if (state_.parcels.size() == before) return;

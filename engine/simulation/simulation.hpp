@@ -35,7 +35,8 @@ class Simulation {
   /// that moved more than half a radius; and, looked for every 64 steps, parcels that overlap too deeply. Parcels that
   /// escape are taken out, counted, and in `escapes`.
   /// With Then::go_on parcels may have gone on with the next step already, which is faster: until that is made, ask for
-  /// nothing but step, time, escapes and the number of parcels. A step in which parcels escape is always whole.
+  /// nothing but step, time, escapes and the number of parcels. A step in which parcels escape is always whole. Forces
+  /// between parcels are there after Then::look only.
   void step(Then then = Then::look);
   /// Whether a source may give parcels in the next step.
   bool a_source_is_due() const;

@@ -47,9 +47,12 @@ State advance(const Case& c, const Model& model, State state, const Way& way, bo
   Simulation simulation(model, std::move(state), way.threads);
   Procedure procedure(c, simulation);
   while (!procedure.finished()) {
-    simulation.step();
+    const bool saves = way.save_every != 0 && (simulation.state().step + 1) % way.save_every == 0;
+    const bool looks = saves || procedure.may_end_after_next_step();
+    simulation.step(looks ? Simulation::Then::look : Simulation::Then::go_on);
+    if (!looks) continue;
     if (procedure.ended()) procedure.next_phase();
-    if (way.save_every != 0 && simulation.state().step % way.save_every == 0) return simulation.snapshot();
+    if (saves) return simulation.snapshot();
   }
   finished = true;
   return simulation.snapshot();
