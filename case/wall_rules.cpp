@@ -85,8 +85,9 @@ void bodies_move_as_one(const Section& root, ProblemList& problems) {
     const std::string& name =
         body != nullptr ? body->texts.front() : wall.name;  // alone, it has its own name
     if (!is_plain(name)) {
-      problems.add(body->place, body->path + " is no name",
-                   "expected at most 64 letters a to z, digits, _ or -");
+      if (body != nullptr)  // of a wall's own name the checker has told
+        problems.add(body->place, body->path + " is no name",
+                     "expected at most 64 letters a to z, digits, _ or -");
       continue;
     }
     const auto [entry, is_first] = first_of.emplace(name, &wall);

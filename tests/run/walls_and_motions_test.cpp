@@ -181,6 +181,9 @@ body = "die"
   expect_refused(with(small_die, "[motions.shaking]", rim), 3, {"\"die\"", "different motions"}, "");
   expect_refused(with(small_die, "motion = \"shaking\"\n", "motion = \"shaking\"\nbody = \"a,b\"\n"), 3,
                  {"walls.die.body is no name"}, "");
+  // Such a name as the wall's own, which is its body's where none is given.
+  const std::string long_name(65, 'k');
+  expect_refused(with(small_die, "[walls.die]", "[walls." + long_name + "]"), 3, {" is no name"}, "");
 }
 
 TEST(Cycles, AreCountedFromTheStartOfTheMotion) {
