@@ -31,19 +31,13 @@ void keep_history(const ContactBlock& b, int k, std::uint32_t slot, NearWalls& n
     near.memory.list[slot] = {b.memory->plastic[k], b.memory->adhesion[k], b.memory->grip[k]};
 }
 
-/// Asks memory for what the contacts of a block remember, while the one before it is evaluated.
-void ask_for(const kernels::Springs& springs) {
-  const char* const begin = reinterpret_cast<const char*>(&springs);
-  for (std::size_t at = 0; at < sizeof springs; at += 64) __builtin_prefetch(begin + at, 1);
-}
-
 /// Evaluates `b.count` slots from `begin` on, which are one block of near pairs, where they stand. Pairs that do not
 /// touch are carried along: to tell them apart would cost more.
 void evaluate_block(ContactBlock& b, std::size_t begin, const ContactClass& contact, NearPairs& near,
                     const Parcels& parcels, double approach, double dt) {
   const std::size_t block = begin / kernels::block_size;
   b.springs = &near.springs[block];
-  if (begin + kernels::block_size < near.first_apart()) ask_for(near.springs[block + 1]);
+  if (begin + kernels::block_size < near.first_apart()) kernels::ask_for(near.springs[block + 1]);
   if (near.remembers) b.memory = &near.memory[block];
   std::uint8_t* touching = &near.touching[begin];
   for (int k = 0; k < b.count; ++k) b.touching[k] = touching[k];

@@ -65,8 +65,8 @@ void NearPairs::divide(int threads) {
 /// once both parcels have been summed up; divided ones are so at the end of the step only.
 std::uint32_t NearPairs::number_places(int part) {
   std::vector<std::size_t> cursors(groups());
-  std::vector<std::uint32_t>
-      free[2];  // those of pairs apart are hardly used, and must not lie between the others
+  // Those of pairs apart are hardly used, and must not lie between the others.
+  std::vector<std::uint32_t> free[2];
   std::uint32_t count = 0;
   const auto give = [&](std::size_t group, std::size_t start) {
     std::vector<std::uint32_t>& mine = free[are_apart(group)];

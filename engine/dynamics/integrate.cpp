@@ -201,8 +201,8 @@ class ShareOfSweep {
   SweptThings& t_;
   const SweepFields& fields_;
   const StepBeginning* next_;
-  std::optional<kernels::PlainStep>
-      plain_;  ///< where most steps are: the same as finishing parcels one by one, faster
+  /// Where there is one (in most steps), parcels are finished many at a time, which gives the same and is faster.
+  std::optional<kernels::PlainStep> plain_;
   int part_;
 };
 

@@ -18,6 +18,13 @@ struct Lanes3 {
   alignas(64) Lane z;
 };
 
+/// Asks memory for a thing that is needed soon, where the processor cannot foresee it.
+template <class Thing>
+[[gnu::always_inline]] inline void ask_for(const Thing& thing) {
+  const char* const begin = reinterpret_cast<const char*>(&thing);
+  for (std::size_t at = 0; at < sizeof thing; at += 64) __builtin_prefetch(begin + at);
+}
+
 /// One contact's vector, from its lanes and into them.
 PULVIS_INLINE Vec3 load(const Lanes3& lanes, int k) { return {lanes.x[k], lanes.y[k], lanes.z[k]}; }
 PULVIS_INLINE void store(Lanes3& lanes, int k, const Vec3& value) {

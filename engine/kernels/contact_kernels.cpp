@@ -16,18 +16,11 @@ namespace PULVIS_ISA {
 //
 // Records are read and written whole and turned into lanes in registers (engine/math/four.hpp).
 
-/// Asks for the records that the block after this one will need: they lie all over the store, and the processor cannot
-/// see so far ahead by itself.
-PULVIS_INLINE void ask_for(const Parcel& parcel) {
-  const char* at = reinterpret_cast<const char*>(&parcel);
-  __builtin_prefetch(at);
-  __builtin_prefetch(at + 64);
-}
-
 static void gather(ContactBlock& b, const Parcel* parcels, const std::uint32_t* first,
                    const std::uint32_t* second, int ahead) {
   const int count = b.count;
-  for (int k = block_size; k < block_size + ahead; ++k) {
+  for (int k = block_size; k < block_size + ahead;
+       ++k) {  // what the next block needs lies all over the store
     ask_for(parcels[first[k]]);
     ask_for(parcels[second[k]]);
   }

@@ -6,13 +6,6 @@
 namespace pulvis::kernels {
 namespace PULVIS_ISA {
 
-/// What the sums of the parcels behind will need.
-PULVIS_INLINE void ask_for(const PairLoad& load) {
-  const char* at = reinterpret_cast<const char*>(&load);
-  __builtin_prefetch(at);
-  __builtin_prefetch(at + 64);
-}
-
 /// Three numbers are taken as four, whose last nobody asks for. To add a zero is quicker than to find out whether to.
 static void sum_pairs(const LoadsOfPairs& pairs, const SomeParcels& given, Load* sum) {
   constexpr double sign[2] = {1.0, -1.0};
