@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "engine/base/failure.hpp"
+#include "output/safe_file.hpp"
 
 namespace pulvis {
 namespace {
@@ -45,6 +46,15 @@ void append_cell(std::string& line, const CsvCell& cell) {
   } else {
     append_text(line, std::get<std::string_view>(cell));
   }
+}
+
+void append_line(std::string& text, std::span<const CsvCell> cells, std::size_t columns) {
+  if (cells.size() != columns) throw std::invalid_argument("a line of a table has a wrong number of cells");
+  for (const CsvCell& cell : cells) {
+    if (&cell != cells.data()) text += ',';
+    append_cell(text, cell);
+  }
+  text += '\n';
 }
 
 }  // namespace
@@ -102,14 +112,8 @@ std::uint64_t CsvLog::sync() {
 }
 
 void CsvLog::add(std::span<const CsvCell> cells) {
-  if (cells.size() != columns_)
-    throw std::invalid_argument("a line of " + path_ + " has a wrong number of cells");
   line_.clear();
-  for (const CsvCell& cell : cells) {
-    if (&cell != cells.data()) line_ += ',';
-    append_cell(line_, cell);
-  }
-  line_ += '\n';
+  append_line(line_, cells, columns_);
   write_line();
 }
 
@@ -121,5 +125,13 @@ void CsvLog::write_line() {
   if (start >= 0 && ::ftruncate(file_, start) == 0) ::lseek(file_, start, SEEK_SET);
   fail_to_write(path_, error);
 }
+
+CsvTable::CsvTable(const std::vector<std::string>& columns) : columns_(columns.size()) {
+  add(std::vector<CsvCell>(columns.begin(), columns.end()));
+}
+
+void CsvTable::add(std::span<const CsvCell> cells) { append_line(text_, cells, columns_); }
+
+void CsvTable::save(const std::string& path, FileCalls calls) const { write_file_safely(path, text_, calls); }
 
 }  // namespace pulvis

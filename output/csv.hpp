@@ -50,4 +50,21 @@ class CsvLog {
   std::string line_;
 };
 
+/// A table that appears with all its lines or not at all: see SafeFile.
+class CsvTable {
+ public:
+  explicit CsvTable(const std::vector<std::string>& columns);
+
+  /// Adds one line. Throws std::invalid_argument if `cells` are not as many as the columns.
+  void add(std::span<const CsvCell> cells);
+  void add(std::initializer_list<CsvCell> cells) { add(std::span(cells.begin(), cells.size())); }
+
+  /// Throws Failure(Exit::io).
+  void save(const std::string& path, FileCalls calls = FileCalls::system()) const;
+
+ private:
+  std::size_t columns_;
+  std::string text_;
+};
+
 }  // namespace pulvis

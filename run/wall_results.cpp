@@ -68,10 +68,10 @@ std::string WallResults::write_pressures(const WallLoads& loads, const Simulatio
                                          const std::string& phase) {
   const Walls& walls = simulation.model().walls;
   const WallWindow& w = loads.window();
-  const std::string folder = folder_.folder("wall-pressure");
+  folder_.folder("wall-pressure");
   const std::string name = "wall-pressure/after-" + phase + ".csv";
-  CsvLog table(folder_.file(name), {"wall", "surface", "x_m", "y_m", "z_m", "u_m", "v_m", "area_m2",
-                                    "pressure_Pa", "shear_stress_Pa", "window_s"});
+  CsvTable table({"wall", "surface", "x_m", "y_m", "z_m", "u_m", "v_m", "area_m2", "pressure_Pa",
+                  "shear_stress_Pa", "window_s"});
   for (std::size_t t = 0; t < w.tiles.size(); ++t) {
     const measures::WallTile& tile = loads.tiling().tiles()[t];
     const Surface& surface = walls.surfaces[tile.surface];
@@ -80,8 +80,7 @@ std::string WallResults::write_pressures(const WallLoads& loads, const Simulatio
                place.z, tile.u, tile.v, tile.area, w.tiles[t].normal / tile.area,
                norm(w.tiles[t].shear) / tile.area, w.end - w.start});
   }
-  table.sync();
-  sync_folder(folder);
+  table.save(folder_.file(name));
   return name;
 }
 

@@ -120,7 +120,7 @@ void write_table(const std::string& file, const std::vector<Member>& members, co
   for (std::size_t k = 0; k < factors; ++k) columns.push_back(members.front().varied[k].key);
   columns.insert(columns.end(), {"state", "parcels", "wall_time_s"});
   const std::vector<std::string> measures = measures_of(rows, columns);
-  CsvLog table(file, columns);
+  CsvTable table(columns);
   for (const Row& row : rows) {
     std::vector<CsvCell> cells{row.member->name, row.member->case_file};
     const auto append = [&](const std::optional<double>& value) {
@@ -133,7 +133,7 @@ void write_table(const std::string& file, const std::vector<Member>& members, co
     for (const std::string& name : measures) append(row.measure(name));
     table.add(cells);
   }
-  table.sync();
+  table.save(file);
 }
 
 }  // namespace pulvis::sweep

@@ -52,6 +52,19 @@ TEST(CsvLog, TakesBackTheLineThatDidNotFit) {
   EXPECT_EQ(content_of(folder.file("log.csv")), "a\n0.25\n");
 }
 
+TEST(CsvTable, AppearsWithAllItsLinesOrNotAtAll) {
+  ScratchFolder folder;
+  CsvTable table({"a", "b"});
+  table.add({1.5, "x,y"});
+  EXPECT_THROW(table.add({1.5}), std::invalid_argument);
+  const auto message =
+      failure_of(Exit::io, [&] { table.save(folder.file("table.csv"), SmallDisk::calls(9)); });
+  EXPECT_NE(message.find("table.csv"), std::string::npos) << message;
+  EXPECT_TRUE(std::filesystem::is_empty(folder.file("")));
+  table.save(folder.file("table.csv"));
+  EXPECT_EQ(content_of(folder.file("table.csv")), "a,b\n1.5,\"x,y\"\n");
+}
+
 TEST(CsvLog, FailsOnADeviceThatIsFull) {
   if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
   const auto message = failure_of(Exit::io, [] { CsvLog("/dev/full", {"a"}); });
