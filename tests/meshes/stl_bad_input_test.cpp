@@ -197,6 +197,8 @@ void expect_read_or_refused(const std::string& path, const std::string& content,
   }
 }
 
+char any_byte(validation::Draw& draw) { return static_cast<char>(static_cast<int>(draw.between(0, 256))); }
+
 void damage_and_read(StlForm form, std::uint32_t stream) {
   const std::string sound = bytes_of_cube(form);
   ScratchFolder folder;
@@ -208,9 +210,9 @@ void damage_and_read(StlForm form, std::uint32_t stream) {
     if (draw.chance(0.2))
       content.resize(at);
     else if (draw.chance(0.1))
-      content.insert(at, 1, static_cast<char>(draw.between(0, 256)));
+      content.insert(at, 1, any_byte(draw));
     else
-      content[at] = static_cast<char>(draw.between(0, 256));
+      content[at] = any_byte(draw);
     expect_read_or_refused(folder.file("a.stl"), content, refused);
   }
   EXPECT_GT(refused, 400);  // the truncated ones at least
