@@ -10,6 +10,7 @@ NOT_UNDER_SANITIZERS = "reliability.(io|full-disk)"
 # As the preset asan: clang, since GCC takes several times as long for such a build.
 ASAN = {"CMAKE_CXX_COMPILER": "clang++", "CMAKE_BUILD_TYPE": "RelWithDebInfo",
         "CMAKE_CXX_FLAGS_RELWITHDEBINFO": "-O1 -g1", "PULVIS_ASSERTIONS": "ON", "PULVIS_SANITIZE": "address,undefined"}
+LEAKS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "leaks-of-libraries.txt")
 THREADED = "engine.(StateHash|ClosedSystem|Near|Rain|Insertion|Wall)|reliability.ClosedSystem"
 
 
@@ -28,7 +29,8 @@ def sanitizers(build, quick):
     if quick:
         return Result(None, "the quick form has none; needs a build of its own")
     folder = cmake_build("asan", ["all"], [f"-D{key}={value}" for key, value in ASAN.items()])
-    met, says = suite(folder, folder + "-tests.log", {"UBSAN_OPTIONS": "halt_on_error=1:print_stacktrace=1"},
+    met, says = suite(folder, folder + "-tests.log", {"UBSAN_OPTIONS": "halt_on_error=1:print_stacktrace=1",
+                                                     "LSAN_OPTIONS": f"suppressions={LEAKS}:print_suppressions=0"},
                       "-E", NOT_UNDER_SANITIZERS)
     return Result(met, says)
 
