@@ -2,6 +2,8 @@
 #pragma once
 #include <algorithm>
 #include <cstdint>
+#include <stdexcept>
+#include <string>
 
 #include "engine/simulation/simulation.hpp"
 
@@ -10,7 +12,9 @@ namespace pulvis::scenes {
 
 inline const Parcel& parcel_with_id(const Simulation& s, std::uint32_t id) {
   const auto& body = s.state().parcels.body;
-  return *std::find_if(body.begin(), body.end(), [&](const Parcel& p) { return p.id == id; });
+  const auto at = std::find_if(body.begin(), body.end(), [&](const Parcel& p) { return p.id == id; });
+  if (at == body.end()) throw std::out_of_range("parcel " + std::to_string(id) + " is not there any more");
+  return *at;
 }
 
 inline Vec3 momentum(const Parcels& parcels) {

@@ -41,6 +41,7 @@ class SaddleScene {
   bool touches_or_starts() const {
     return simulation_.state().step == 0 || scenes::touching(simulation_.pairs()) > 0;
   }
+  bool fell_out() const { return !simulation_.state().escapes.empty(); }
   double time() const { return simulation_.time(); }
 
  private:
@@ -115,9 +116,11 @@ Departure departure(const Saddle& saddle, double dt) {
 bool moves(const Saddle& saddle, double rolling_friction, double dt) {
   constexpr double settling = 0.05, watching = 0.05;  // s
   SaddleScene scene(saddle, rolling_friction, dt);
-  while (scene.time() < settling) scene.step();
+  while (scene.time() < settling && !scene.fell_out()) scene.step();
+  if (scene.fell_out()) return true;
   const Vec3 there = scene.small().position;
-  while (scene.time() < settling + watching) scene.step();
+  while (scene.time() < settling + watching && !scene.fell_out()) scene.step();
+  if (scene.fell_out()) return true;
   // 0.1 % above the threshold it would go 0.2 um or more; at rest it rings by less than an overlap, 1e-9 m.
   return norm(scene.small().position - there) > 1e-8;
 }
