@@ -39,7 +39,8 @@ TEST(Sweep, LeavesWhatEachRunWouldLeaveByItselfAndATableOfAll) {
   EXPECT_TRUE(has(lines[0], "fill_mass_kg"));
   EXPECT_TRUE(lines[4].starts_with("die-friction-0.6-seed-2," + place.file + ",0.6,2,complete,5,"))
       << lines[4];
-  for (const auto& run : json_of(place.in("sweep.json")).at("runs")) {
+  const auto record = json_of(place.in("sweep.json"));
+  for (const auto& run : record.at("runs")) {
     const std::string name = run.at("name");
     EXPECT_TRUE(has(swept.out, name)) << swept.out;
     EXPECT_TRUE(fs::exists(place.in(name + ".log")));
