@@ -71,6 +71,7 @@ WallLoads::WallLoads(const Case& c, const Simulation& simulation, double default
 }
 
 void WallLoads::clear(const Simulation& simulation) {
+  mean_.reset();
   now_.current = {};
   now_.current.start = now_.current.end = simulation.time();
   now_.current.walls.resize(walls_.names.size());
@@ -109,6 +110,7 @@ void WallLoads::go_on_from(WallRecord record) {
   if (!alike(record.current) || !(empty || alike(record.last)) ||
       record.steps_in_window >= record.steps_per_window)
     throw Failure(Exit::bad_input, "its record of what walls bear is of other walls");
+  mean_.reset();
   now_ = std::move(record);
 }
 
@@ -129,6 +131,7 @@ bool WallLoads::after_step(const Simulation& simulation) {
 
 void WallLoads::sample(const Simulation& simulation) {
   const NearWalls& near = simulation.walls();
+  mean_.reset();
   ++now_.current.samples;
   now_.current.end = simulation.time();
   for (const std::uint32_t slot : simulation.wall_slots_by_id()) {
@@ -157,7 +160,10 @@ void WallLoads::sample(const Simulation& simulation) {
   }
 }
 
-const WallWindow& WallLoads::current_mean() const { return mean_ = mean_of(now_.current); }
+const WallWindow& WallLoads::current_mean() const {
+  if (!mean_) mean_ = mean_of(now_.current);
+  return *mean_;
+}
 
 std::string WallLoads::window_text() const {
   const WallWindow& w = window();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -55,7 +56,7 @@ class WallLoads {
   /// Goes on from a record. Throws Failure(bad_input) if it is of other walls.
   void go_on_from(WallRecord record);
 
-  /// The last complete window of this phase; before there is one, what has been gathered so far.
+  /// The last complete window of this phase; before there is one, what has been gathered so far. Stays until the next step.
   const WallWindow& window() const { return now_.last.samples > 0 ? now_.last : current_mean(); }
   std::string window_text() const;
   const measures::WallTiling& tiling() const { return tiling_; }
@@ -79,7 +80,7 @@ class WallLoads {
   std::vector<Vec3> reference_;
   double default_window_;
   WallRecord now_;
-  mutable WallWindow mean_;
+  mutable std::optional<WallWindow> mean_;  ///< of what has been gathered so far, once asked for
 };
 
 }  // namespace pulvis
