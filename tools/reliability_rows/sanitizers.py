@@ -7,9 +7,6 @@ from .common import PASSIVE, ROOT, Result, cmake_build, row
 
 # The C library's own allocator checks cannot live beside those; and read_back.py loads a Python of its own.
 NOT_UNDER_SANITIZERS = "reliability.(io|full-disk)"
-# As the preset asan: clang, since GCC takes several times as long for such a build.
-ASAN = {"CMAKE_CXX_COMPILER": "clang++", "CMAKE_BUILD_TYPE": "RelWithDebInfo",
-        "CMAKE_CXX_FLAGS_RELWITHDEBINFO": "-O1 -g1", "PULVIS_ASSERTIONS": "ON", "PULVIS_SANITIZE": "address,undefined"}
 LEAKS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "leaks-of-libraries.txt")
 THREADED = "engine.(StateHash|ClosedSystem|Near|Rain|Insertion|Wall)|reliability.ClosedSystem"
 
@@ -28,7 +25,8 @@ def suite(folder, log, environment, *options):
 def sanitizers(build, quick):
     if quick:
         return Result(None, "the quick form has none; needs a build of its own")
-    folder = cmake_build("asan", ["all"], [f"-D{key}={value}" for key, value in ASAN.items()])
+    # The preset has clang, since GCC takes several times as long for such a build.
+    folder = cmake_build("asan", ["all"], ["--preset", "asan"])
     met, says = suite(folder, folder + "-tests.log", {"UBSAN_OPTIONS": "halt_on_error=1:print_stacktrace=1",
                                                      "LSAN_OPTIONS": f"suppressions={LEAKS}:print_suppressions=0"},
                       "-E", NOT_UNDER_SANITIZERS)
