@@ -93,7 +93,7 @@ struct Bed {
     find();
     walls.rebuild(parcels, no_walls, {}, margin, {}, 0.0, 1);
   }
-  void find() { pairs.rebuild(parcels, classes, margin, 0.0, box, {}, 1); }
+  void find() { pairs.rebuild({parcels, classes, margin, 0.0, box, {}}, 1); }
 
   Parcels parcels = lattice(edge);
   std::vector<double> margin = std::vector<double>(parcels.size(), 0.05 * radius);
@@ -132,6 +132,8 @@ void sweep_over_pairs(benchmark::State& state, bool without_law) {
     one[0].kernel.gather = [](kernels::ContactBlock&, const Parcel*, const std::uint32_t*,
                               const std::uint32_t*, int) {};
     one[0].kernel.geometry = [](kernels::ContactBlock&, const double*, double) {};
+    one[0].kernel.glance = [](const kernels::PairsApart&, const Parcel*, const Images&, double,
+                              std::uint8_t*) { return 0; };
     one[0].kernel.any_in_reach = [](const kernels::ContactBlock&, double) { return false; };
   }
   ContactClasses classes(1);

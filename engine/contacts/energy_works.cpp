@@ -29,8 +29,7 @@ bool EnergyWorks::splits_contacts() const {
 }
 
 void EnergyWorks::before_contacts(const NearPairs& pairs, const NearWalls& walls) {
-  springs_ = pairs.springs;
-  memory_ = pairs.memory;
+  pasts_ = pairs.pasts;
   touching_ = pairs.touching;
   wall_touching_ = walls.touching;
   wall_history_ = walls.history;
@@ -54,14 +53,7 @@ void EnergyWorks::stage_pair(const ContactView& view, std::size_t slot, EnergyBl
   b.mass_second[k] = q.mass;
   b.touching_before[k] = touching_[slot] ? 1.0 : 0.0;
   b.touching[k] = view.near_pairs.touching[slot] && !ends_all_ ? 1.0 : 0.0;
-  const std::size_t block = slot / kernels::block_size;
-  const int lane = static_cast<int>(slot % kernels::block_size);
-  store(b.before.slide, k, load(springs_[block].slide, lane));
-  store(b.before.roll, k, load(springs_[block].roll, lane));
-  if (!view.near_pairs.remembers) return;
-  b.memory_before.plastic[k] = memory_[block].plastic[lane];
-  b.memory_before.adhesion[k] = memory_[block].adhesion[lane];
-  b.memory_before.grip[k] = memory_[block].grip[lane];
+  kernels::put_past(b.before, pasts_.remembers ? &b.memory_before : nullptr, k, pasts_.of(slot));
 }
 
 void EnergyWorks::pairs(const ContactView& view, std::size_t from, std::size_t to, Scratch& scratch) const {

@@ -60,8 +60,7 @@ class EnergyWorks {
   SumGrid grid_;
   std::vector<Scratch> scratch_;
   std::vector<Parcel> middle_;
-  std::vector<kernels::Springs> springs_;
-  std::vector<kernels::MemoryLanes> memory_;
+  Pasts pasts_;
   std::vector<std::uint8_t> touching_, wall_touching_;
   std::vector<laws::History> wall_history_;
   Memories wall_memory_;

@@ -33,39 +33,67 @@ void keep_history(const ContactBlock& b, int k, std::uint32_t slot, NearWalls& n
 
 /// Evaluates `b.count` slots from `begin` on, which are one block of near pairs, where they stand. Pairs that do not
 /// touch are carried along: to tell them apart would cost more.
-void evaluate_block(ContactBlock& b, std::size_t begin, const ContactClass& contact, NearPairs& near,
-                    const Parcels& parcels, double approach, double dt) {
+void evaluate_block(ContactBlock& b, std::size_t begin, NearPairs& near, const StepOfPairs& step,
+                    double approach) {
+  const kernels::ContactKernel& kernel = step.contact.kernel;
+  const double* constants = step.contact.constants.data();
   const std::size_t block = begin / kernels::block_size;
-  b.springs = &near.springs[block];
-  if (begin + kernels::block_size < near.first_apart()) kernels::ask_for(near.springs[block + 1]);
-  if (near.remembers) b.memory = &near.memory[block];
+  b.springs = &near.pasts.springs[block];
+  if (begin + kernels::block_size < near.first_apart()) kernels::ask_for(near.pasts.springs[block + 1]);
+  if (near.pasts.remembers) b.memory = &near.pasts.memory[block];
   std::uint8_t* touching = &near.touching[begin];
   for (int k = 0; k < b.count; ++k) b.touching[k] = touching[k];
-  const std::size_t behind = near.slots() - std::min(near.slots(), begin + kernels::block_size);
-  contact.kernel.gather(b, parcels.body.data(), &near.first[begin], &near.second[begin],
-                        static_cast<int>(std::min<std::size_t>(behind, kernels::block_size)));
-  if (b.slide.any()) contact.kernel.images(b, contact.constants.data(), dt);
-  contact.kernel.geometry(b, contact.constants.data(), dt);
-  Vec3* force = near.force.empty() ? nullptr : &near.force[begin];
-  if (!contact.kernel.any_in_reach(b, approach)) {
-    // Another contact's load may lie in their places. Those of pairs apart are asked for only where they touch.
-    if (begin < near.first_apart())
-      for (int k = 0; k < b.count; ++k) near.load[near.place[begin + static_cast<std::size_t>(k)]] = {};
+  kernel.gather(b, step.parcels.body.data(), &near.first[begin], &near.second[begin], near.ahead_of(begin));
+  if (b.slide.any()) kernel.images(b, constants, step.dt);
+  kernel.geometry(b, constants, step.dt);
+  if (!kernel.any_in_reach(b, approach)) {
+    // Another contact's load may lie in their places.
+    for (int k = 0; k < b.count; ++k) near.load[near.place[begin + static_cast<std::size_t>(k)]] = {};
     return;
   }
-  contact.kernel.evaluate(b, contact.constants.data(), dt);
+  kernel.evaluate(b, constants, step.dt);
   for (int k = 0; k < b.count; ++k) touching[k] = b.touching[k] > 0.5;
-  contact.kernel.scatter(b, near.load.data(), &near.place[begin], force);
+  kernel.scatter(b, near.load.data(), &near.place[begin], near.force.empty() ? nullptr : &near.force[begin]);
+}
+
+void stage_pair(Meeting& meeting, std::uint32_t slot, const NearPairs& near) {
+  ContactBlock& b = meeting.block;
+  const int k = b.count++;
+  meeting.first[k] = near.first[slot];
+  meeting.second[k] = near.second[slot];
+  b.slot[k] = slot;
+  b.touching[k] = near.touching[slot];
+  kernels::put_past(*b.springs, b.memory, k, near.pasts.of(slot));
 }
 
 /// Sums of parcels leave out pairs apart unless told of a contact. Of a divided parcel several threads may tell at the same
 /// time; all say the same, and nobody asks before all are done.
-void note_meetings(NearPairs& near, std::size_t begin, int count) {
-  for (std::size_t slot = begin; slot < begin + static_cast<std::size_t>(count); ++slot) {
-    if (!near.touching[slot]) continue;
-    for (const std::uint32_t parcel : {near.first[slot], near.second[slot]})
-      std::atomic_ref(near.meets[parcel]).store(1, std::memory_order_relaxed);
+void note_meeting(NearPairs& near, std::uint32_t parcel) {
+  std::atomic_ref(near.meets[parcel]).store(1, std::memory_order_relaxed);
+}
+
+void finish_pairs(Meeting& meeting, NearPairs& near, const StepOfPairs& step) {
+  ContactBlock& b = meeting.block;
+  const kernels::ContactKernel& kernel = step.contact.kernel;
+  const double* constants = step.contact.constants.data();
+  kernel.gather(b, step.parcels.body.data(), meeting.first, meeting.second, 0);
+  if (b.slide.any()) kernel.images(b, constants, step.dt);
+  kernel.parcels(b, constants, step.dt);
+  for (int k = 0; k < b.count; ++k) {
+    const std::size_t slot = b.slot[k], pair = slot - near.first_apart();
+    near.touching[slot] = b.touching[k] > 0.5;
+    if (!near.touching[slot]) {
+      near.pasts.met.forget(pair, step.part);
+      continue;
+    }
+    near.pasts.met.put(pair,
+                       {kernels::past_of(*b.springs, b.memory, k),
+                        {load(b.force, k), load(b.torque_first, k), load(b.torque_second, k)}},
+                       step.part);
+    note_meeting(near, meeting.first[k]);
+    note_meeting(near, meeting.second[k]);
   }
+  b.count = 0;
 }
 
 void finish_walls(ContactBlock& b, const ContactClass& contact, NearWalls& near, double dt) {
@@ -133,7 +161,8 @@ Load ContactEvaluator::sum_all(const NearPairs& near, std::size_t parcel) {
   for (std::uint32_t k = near.begin[parcel]; k < near.begin[parcel + 1]; ++k) {
     const std::size_t slot = near.entry[k] >> 1;
     if (!near.touching[slot]) continue;
-    const PairLoad& load = near.load[near.place[slot]];
+    const PairLoad& load =
+        slot < near.first_apart() ? near.load[near.place[slot]] : near.pasts.met_at(slot)->load;
     const bool is_second = near.entry[k] & 1u;
     sum.force += is_second ? -load.force : load.force;
     sum.torque += is_second ? load.torque_second : load.torque_first;
@@ -141,15 +170,34 @@ Load ContactEvaluator::sum_all(const NearPairs& near, std::size_t parcel) {
   return sum;
 }
 
-void ContactEvaluator::block(NearPairs& near, const Parcels& parcels, const ContactClass& contact,
-                             std::size_t group, std::size_t begin, const Images& images, double dt,
-                             int part) {
-  ContactBlock& b = scratch_[static_cast<std::size_t>(part)].pairs;
-  b.period = images.periods.length;
-  b.slide = images.slide;
-  b.count = static_cast<int>(std::min<std::size_t>(kernels::block_size, near.group_end[group] - begin));
-  evaluate_block(b, begin, contact, near, parcels, approach_, dt);
-  if (near.are_apart(group)) note_meetings(near, begin, b.count);
+void ContactEvaluator::pairs_close(NearPairs& near, std::size_t from, std::size_t to,
+                                   const StepOfPairs& step) {
+  ContactBlock& b = scratch_[static_cast<std::size_t>(step.part)].pairs;
+  b.period = step.images.periods.length;
+  b.slide = step.images.slide;
+  for (std::size_t begin = from; begin < to; begin += kernels::block_size) {
+    b.count = static_cast<int>(std::min<std::size_t>(kernels::block_size, to - begin));
+    evaluate_block(b, begin, near, step, approach_);
+  }
+}
+
+void ContactEvaluator::pairs_apart(NearPairs& near, std::size_t from, std::size_t to,
+                                   const StepOfPairs& step) {
+  Meeting& meeting = scratch_[static_cast<std::size_t>(step.part)].meeting;
+  meeting.block.period = step.images.periods.length;
+  meeting.block.slide = step.images.slide;
+  std::uint8_t found[kernels::block_size];
+  for (std::size_t begin = from; begin < to; begin += kernels::block_size) {
+    const int count = static_cast<int>(std::min<std::size_t>(kernels::block_size, to - begin));
+    const int n = step.contact.kernel.glance(
+        {count, &near.first[begin], &near.second[begin], &near.touching[begin], near.ahead_of(begin)},
+        step.parcels.body.data(), step.images, approach_, found);
+    for (int k = 0; k < n; ++k) {
+      stage_pair(meeting, static_cast<std::uint32_t>(begin + found[k]), near);
+      if (meeting.block.count == kernels::block_size) finish_pairs(meeting, near, step);
+    }
+  }
+  if (meeting.block.count > 0) finish_pairs(meeting, near, step);
 }
 
 /// Looks at every surface near parcel `i` and gives each contact on a shared edge to one of them. A contact

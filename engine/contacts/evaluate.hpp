@@ -17,6 +17,22 @@ struct Crossing {
   std::uint32_t surface;
 };
 
+/// What a range of pairs of one contact class is evaluated with. Parts of the work that go on at once have each their own
+/// number `part`.
+struct StepOfPairs {
+  const Parcels& parcels;
+  const ContactClass& contact;
+  const Images& images;
+  double dt;  ///< s
+  int part;
+};
+
+/// Pairs apart that meet, brought together from their blocks.
+struct Meeting {
+  kernels::SeparateBlock block;
+  std::uint32_t first[kernels::block_size], second[kernels::block_size];  ///< parcels
+};
+
 /// Evaluates all contacts of a step in blocks of one contact class each: near pairs where their slots stand,
 /// contacts with walls after they were staged. Which block a contact shares changes nothing: each result depends
 /// on its own contact alone.
@@ -25,13 +41,15 @@ class ContactEvaluator {
   /// `approach` is the widest gap at which a contact can begin, m.
   ContactEvaluator(int most_threads, std::size_t classes, double approach);
 
-  /// The block of near pairs of a group that begins with slot `begin`. Parts of the work that go on at once have each
-  /// their own number `part`.
-  void block(NearPairs& near, const Parcels& parcels, const ContactClass& contact, std::size_t group,
-             std::size_t begin, const Images& images, double dt, int part);
+  // The slots [from, to) of one group, which are whole blocks.
+  /// Close pairs, where they stand.
+  void pairs_close(NearPairs& near, std::size_t from, std::size_t to, const StepOfPairs& step);
+  /// Those of pairs apart that meet, brought together.
+  void pairs_apart(NearPairs& near, std::size_t from, std::size_t to, const StepOfPairs& step);
   /// What pairs do to some parcels, but for those apart; and what all near pairs do to one.
   void sum_close(const NearPairs& near, const kernels::SomeParcels& some, Load* sum) const {
-    parcel_kernel_.sum_of_pairs({near.load.data(), near.begin.data(), near.summand.data()}, some, sum);
+    parcel_kernel_.sum_of_pairs({near.load.data(), near.summand_begin.data(), near.summand.data()}, some,
+                                sum);
   }
   static Load sum_all(const NearPairs& near, std::size_t parcel);
   /// Takes parcels from the end of one step to the middle of the next.
@@ -45,6 +63,7 @@ class ContactEvaluator {
  private:
   struct Scratch {
     kernels::ContactBlock pairs;
+    Meeting meeting;
     std::vector<kernels::SeparateBlock> block;  ///< of walls, one per contact class
     std::vector<std::size_t> cursors;
     std::vector<Crossing> crossings;

@@ -2,42 +2,28 @@
 #include "engine/contacts/near_pairs.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <utility>
 
 #include "engine/base/failure.hpp"
 #include "engine/base/parallel.hpp"
 
 namespace pulvis {
-namespace {
 
-// Pairs closer than this share of their margins when the lists are made are expected to touch before the next time.
-constexpr double close_share = 0.1;
-
-struct Candidate {
-  Vec3 position;
-  double reach;        ///< radius + margin
-  double close;        ///< radius + its share of the margin
-  std::uint64_t name;  ///< id, then 2 index
-};
-constexpr std::uint64_t name_of(std::uint32_t id, std::uint32_t index) {
-  return std::uint64_t{id} << 32 | 2 * index;
-}
-
-std::size_t group_of(const Parcels& parcels, const ContactClasses& classes, std::size_t i,
-                     std::uint32_t partner) {
-  return classes.index(parcels.body[i].species, parcels.body[partner >> 1].species) +
-         (partner & 1u) * classes.all().size();
-}
-
-}  // namespace
-
-void NearPairs::rebuild(const Parcels& parcels, const ContactClasses& classes, std::span<const double> margin,
-                        double reach, const Box& box, const Slide& slide, int threads) {
-  assign_slots(parcels, classes, search(parcels, margin, reach, box, slide, threads), threads);
+void NearPairs::rebuild(const PairSearch& wanted, int threads) {
+  const std::vector<FoundPair> pairs = find_pairs(wanted, threads);
+  assign_slots(wanted.parcels, wanted.classes.all().size(), pairs, threads);
   divide(threads);
+  const std::size_t close = group_begin.empty() ? 0 : group_begin[group_begin.size() / 2];
+  pasts.reset(close, slots() - close, shares_);
   assign_places();
-  meets.assign(parcels.size(), 0);
+  keep_forces(false);
+  meets.assign(wanted.parcels.size(), 0);
+}
+
+/// The parcel to which the first slot of a slot's block belongs: its share evaluates the block.
+std::uint32_t NearPairs::owner_of_block(std::size_t slot) const {
+  const std::size_t start = slot / kernels::block_size * kernels::block_size;
+  return std::min(first[start], second[start]);
 }
 
 void NearPairs::divide(int threads) {
@@ -49,8 +35,7 @@ void NearPairs::divide(int threads) {
   parallel_parts(shares_, [&](int part) {
     const auto [from, to] = share(part);
     const auto of_other = [&, from = from, to = to](std::uint32_t slot) {
-      const std::size_t start = slot / kernels::block_size * kernels::block_size;
-      const std::uint32_t owner = std::min(first[start], second[start]);
+      const std::uint32_t owner = owner_of_block(slot);
       return owner < from || owner >= to;
     };
     for (std::size_t i = from; i < to; ++i)
@@ -65,17 +50,16 @@ void NearPairs::divide(int threads) {
 /// once both parcels have been summed up; divided ones are so at the end of the step only.
 std::uint32_t NearPairs::number_places(int part) {
   std::vector<std::size_t> cursors(groups());
-  // Those of pairs apart are hardly used, and must not lie between the others.
-  std::vector<std::uint32_t> free[2];
+  std::vector<std::uint32_t> free;
   std::uint32_t count = 0;
-  const auto give = [&](std::size_t group, std::size_t start) {
-    std::vector<std::uint32_t>& mine = free[are_apart(group)];
-    for (std::size_t slot = start; slot < std::min(start + kernels::block_size, group_end[group]); ++slot) {
-      if (mine.empty()) {
+  const auto give = [&](std::size_t group, std::size_t from, std::size_t to) {
+    if (are_apart(group)) return;
+    for (std::size_t slot = from; slot < to; ++slot) {
+      if (free.empty()) {
         place[slot] = count++;
       } else {
-        place[slot] = mine.back();
-        mine.pop_back();
+        place[slot] = free.back();
+        free.pop_back();
       }
     }
   };
@@ -83,8 +67,10 @@ std::uint32_t NearPairs::number_places(int part) {
     for (std::size_t i = from; i < to; ++i) {
       if (divided(i)) continue;
       for (std::uint32_t k = begin[i]; k < begin[i + 1]; ++k) {
-        const std::size_t slot = entry[k] >> 1, other = entry[k] & 1u ? first[slot] : second[slot];
-        if (other < i && !divided(other)) free[slot >= first_apart()].push_back(place[slot]);
+        const std::size_t slot = entry[k] >> 1;
+        if (slot >= first_apart()) continue;
+        const std::size_t other = entry[k] & 1u ? first[slot] : second[slot];
+        if (other < i && !divided(other)) free.push_back(place[slot]);
       }
     }
   };
@@ -93,7 +79,7 @@ std::uint32_t NearPairs::number_places(int part) {
 }
 
 void NearPairs::assign_places() {
-  place.assign(slots(), 0);
+  place.assign(first_apart(), 0);
   std::vector<std::uint32_t> places_of(static_cast<std::size_t>(shares_));
   parallel_parts(shares_, [&](int part) { places_of[static_cast<std::size_t>(part)] = number_places(part); });
   std::uint32_t count = 0;
@@ -102,116 +88,89 @@ void NearPairs::assign_places() {
   parallel_parts(shares_, [&](int part) {
     std::vector<std::size_t> cursors(groups());
     const std::uint32_t before = places_of[static_cast<std::size_t>(part)];
-    const auto shift = [&](std::size_t group, std::size_t start) {
-      for (std::size_t slot = start; slot < std::min(start + kernels::block_size, group_end[group]); ++slot)
-        place[slot] += before;
+    const auto shift = [&](std::size_t group, std::size_t from, std::size_t to) {
+      if (are_apart(group)) return;
+      for (std::size_t slot = from; slot < to; ++slot) place[slot] += before;
     };
     if (before > 0) go_through(part, cursors, shift, [](std::size_t, std::size_t) {});
   });
   load.assign(count + 1, {});
-  summand.assign(entry.size() + kernels::summands_ahead, no_summand());
-  parallel_shares(entry.size(), shares_, [&](std::size_t from, std::size_t to, int) {
-    for (std::size_t k = from; k < to; ++k)
-      if (const std::size_t slot = entry[k] >> 1; slot < first_apart())
-        summand[k] = 2 * place[slot] + (entry[k] & 1u);
+  list_summands();
+}
+
+void NearPairs::list_summands() {
+  const std::size_t count = begin.size() - 1, first_one_apart = first_apart();
+  summand_begin.assign(count + 1, 0);
+  parallel_shares(count, shares_, [&](std::size_t from, std::size_t to, int) {
+    for (std::size_t i = from; i < to; ++i)
+      for (std::uint32_t k = begin[i]; k < begin[i + 1]; ++k)
+        summand_begin[i + 1] += (entry[k] >> 1) < first_one_apart;
   });
-}
-
-laws::History NearPairs::history(std::size_t slot) const {
-  const kernels::Springs& s = springs[slot / kernels::block_size];
-  const std::size_t k = slot % kernels::block_size;
-  return {{s.slide.x[k], s.slide.y[k], s.slide.z[k]}, {s.roll.x[k], s.roll.y[k], s.roll.z[k]}};
-}
-
-void NearPairs::set_history(std::size_t slot, const laws::History& h) {
-  kernels::Springs& s = springs[slot / kernels::block_size];
-  const std::size_t k = slot % kernels::block_size;
-  s.slide.x[k] = h.slide.x, s.slide.y[k] = h.slide.y, s.slide.z[k] = h.slide.z;
-  s.roll.x[k] = h.roll.x, s.roll.y[k] = h.roll.y, s.roll.z[k] = h.roll.z;
-}
-
-void NearPairs::set_memory(std::size_t slot, const laws::Memory& from) {
-  kernels::MemoryLanes& m = memory[slot / kernels::block_size];
-  const std::size_t k = slot % kernels::block_size;
-  m.plastic[k] = from.plastic, m.adhesion[k] = from.adhesion, m.grip[k] = from.grip;
-}
-
-laws::Memory NearPairs::memory_of(std::size_t slot) const {
-  const kernels::MemoryLanes& m = memory[slot / kernels::block_size];
-  const std::size_t k = slot % kernels::block_size;
-  return {m.plastic[k], m.adhesion[k], m.grip[k]};
-}
-
-NearPairs::Partners NearPairs::search(const Parcels& parcels, std::span<const double> margin, double reach,
-                                      const Box& box, const Slide& slide, int threads) {
-  const std::size_t count = parcels.size();
-  double widest = 0.0;
-  for (std::size_t k = 0; k < count; ++k) widest = std::max(widest, parcels.body[k].radius + margin[k]);
-  CellGrid grid;
-  grid.build(box, 2.0 * widest + reach, count, [&](std::size_t k) { return parcels.body[k].position; });
-
-  // Copied in the order of the cells, so that a scan reads memory forwards.
-  const auto order = grid.order();
-  std::vector<Candidate> candidate(count);
-  parallel_shares(count, threads, [&](std::size_t from, std::size_t to, int) {
-    for (std::size_t k = from; k < to; ++k) {
-      const Parcel& p = parcels.body[order[k]];
-      const double m = margin[order[k]];
-      candidate[k] = {p.position, p.radius + m, p.radius + close_share * m, name_of(p.id, order[k])};
-    }
-  });
-
-  const Images nearest{NearestImage::of(box), slide};
-  begin.assign(count + 1, 0);
-  std::vector<std::vector<std::uint32_t>> found(static_cast<std::size_t>(std::max(threads, 1)));
-  std::vector<std::size_t> share_begin(found.size(), count);
-  parallel_shares(count, threads, [&](std::size_t from, std::size_t to, int thread) {
-    auto& mine = found[static_cast<std::size_t>(thread)];
-    share_begin[static_cast<std::size_t>(thread)] = from;
-    mine.reserve(7 * (to - from));
-    std::vector<std::uint64_t> near;  // names of one parcel's partners, + 1 if they are apart
+  for (std::size_t i = 0; i < count; ++i) summand_begin[i + 1] += summand_begin[i];
+  summand.assign(summand_begin[count] + kernels::summands_ahead, 0);
+  parallel_shares(count, shares_, [&](std::size_t from, std::size_t to, int) {
     for (std::size_t i = from; i < to; ++i) {
-      const Vec3 position = parcels.body[i].position;
-      const double radius = parcels.body[i].radius;
-      const double own = radius + margin[i], own_close = radius + close_share * margin[i];
-      const std::uint64_t name = name_of(parcels.body[i].id, static_cast<std::uint32_t>(i));
-      std::size_t count_near = 0;
-      grid.for_ranges_around(grid.cell_of(i), slide, [&](std::uint32_t first_k, std::uint32_t last_k) {
-        if (near.size() < count_near + (last_k - first_k)) near.resize(2 * near.size() + (last_k - first_k));
-        // Every one is written and most are overwritten: nobody can guess which candidates are near.
-        for (std::uint32_t k = first_k; k < last_k; ++k) {
-          const Candidate& c = candidate[k];
-          const Vec3 d = nearest(c.position - position);
-          const double far = (own + c.reach) + reach;  // the same bits seen from either parcel
-          const double close = own_close + c.close + reach, square = dot(d, d);
-          near[count_near] = c.name + static_cast<std::uint64_t>(!(square < close * close));
-          count_near += static_cast<std::size_t>((square < far * far) & (c.name != name));
-        }
-      });
-      std::sort(near.begin(), near.begin() + static_cast<std::ptrdiff_t>(count_near));  // by the ids
-      for (std::size_t k = 0; k < count_near; ++k) mine.push_back(static_cast<std::uint32_t>(near[k]));
-      begin[i + 1] = static_cast<std::uint32_t>(count_near);
+      std::uint32_t at = summand_begin[i];
+      for (std::uint32_t k = begin[i]; k < begin[i + 1]; ++k)
+        if (const std::size_t slot = entry[k] >> 1; slot < first_one_apart)
+          summand[at++] = 2 * place[slot] + (entry[k] & 1u);
     }
   });
+}
+
+int NearPairs::part_of(std::size_t slot) const {
+  int part = 0;
+  while (owner_of_block(slot) >= share(part).second) ++part;
+  return part;
+}
+
+void NearPairs::set_past(std::size_t slot, const laws::Past& past) {
+  if (slot < first_apart())
+    pasts.put_close(slot, past);
+  else
+    pasts.met.put(slot - first_apart(), {past, {}}, part_of(slot));
+}
+
+/// Each parcel's list of pairs, by the partners' ids; `begin` says where each starts. Every thread goes through all pairs and
+/// writes down those of its own parcels.
+std::vector<NearPairs::Listed> NearPairs::list_pairs(const Parcels& parcels, std::span<const FoundPair> pairs,
+                                                     int threads) {
+  const std::size_t count = parcels.size();
+  begin.assign(count + 1, 0);
+  const auto of_share = [&](auto&& note) {
+    parallel_shares(count, threads, [&](std::size_t from, std::size_t to, int) {
+      for (std::uint32_t p = 0; p < pairs.size(); ++p) {
+        const std::size_t i = pairs[p].first, j = pairs[p].second;
+        if (i >= from && i < to) note(i, j, p);
+        if (j >= from && j < to) note(j, i, p);
+      }
+    });
+  };
+  of_share([&](std::size_t i, std::size_t, std::uint32_t) { ++begin[i + 1]; });
   for (std::size_t i = 0; i < count; ++i) begin[i + 1] += begin[i];
-  Partners partners(begin[count]);
-  for (std::size_t t = 0; t < found.size(); ++t)
-    if (!found[t].empty())
-      std::copy(found[t].begin(), found[t].end(), partners.begin() + begin[share_begin[t]]);
-  return partners;
+  std::vector<std::uint32_t> next(begin.begin(), begin.end() - 1), id(count);
+  for (std::size_t i = 0; i < count; ++i) id[i] = parcels.body[i].id;
+  std::vector<Listed> listed(begin[count]);
+  of_share([&](std::size_t i, std::size_t j, std::uint32_t p) { listed[next[i]++] = {p, id[j]}; });
+  parallel_shares(count, threads, [&](std::size_t from, std::size_t to, int) {
+    for (std::size_t i = from; i < to; ++i)
+      std::sort(listed.begin() + begin[i], listed.begin() + begin[i + 1],
+                [](const Listed& a, const Listed& b) { return a.partner_id < b.partner_id; });
+  });
+  return listed;
 }
 
 /// Numbers the slots: by group, in it by the parcel that stands first in the store, so that slots follow the
 /// store's order. Returns their number.
-std::size_t NearPairs::count_slots(const Parcels& parcels, const ContactClasses& classes,
-                                   const Partners& partners, int threads) {
-  const std::size_t count = parcels.size(), group_count = 2 * classes.all().size();
+std::size_t NearPairs::count_slots(std::size_t class_count, std::span<const FoundPair> pairs,
+                                   std::span<const Listed> listed, int threads) {
+  const std::size_t count = begin.size() - 1, group_count = 2 * class_count;
   own_end_.assign(group_count * count, 0);
   parallel_shares(count, threads, [&](std::size_t from, std::size_t to, int) {
     for (std::size_t i = from; i < to; ++i)
       for (std::uint32_t k = begin[i]; k < begin[i + 1]; ++k)
-        if (const std::uint32_t j = partners[k] >> 1; j > i)
-          ++own_end_[group_of(parcels, classes, i, partners[k]) * count + i];
+        if (const FoundPair& p = pairs[listed[k].pair]; std::min(p.first, p.second) == i)
+          ++own_end_[p.group * count + i];
   });
   std::size_t total = 0;
   group_begin.assign(group_count, 0);
@@ -227,51 +186,39 @@ std::size_t NearPairs::count_slots(const Parcels& parcels, const ContactClasses&
     }
     group_end[g] = total;
   }
-  if (total >= (std::size_t{1} << 31))
-    throw Failure(Exit::physics, "more than 2^31 pairs of parcels are near");
   return total;
 }
 
-void NearPairs::assign_slots(const Parcels& parcels, const ContactClasses& classes, const Partners& partners,
-                             int threads) {
-  const std::size_t count = parcels.size(), slot_count = count_slots(parcels, classes, partners, threads);
-  const std::size_t block_count = (slot_count + kernels::block_size - 1) / kernels::block_size;
+void NearPairs::assign_slots(const Parcels& parcels, std::size_t class_count,
+                             std::span<const FoundPair> pairs, int threads) {
+  // An entry is 2 slot + 1 in 32 bits, and every group fills up to a block.
+  if (pairs.size() >= (std::size_t{1} << 31) - 2 * class_count * kernels::block_size)
+    throw Failure(Exit::physics, "about 2^31 pairs of parcels are near; that is too many");
+  const std::vector<Listed> listed = list_pairs(parcels, pairs, threads);
+  const std::size_t count = parcels.size(), slot_count = count_slots(class_count, pairs, listed, threads);
   first.assign(slot_count, 0);
   second.assign(slot_count, 0);
   touching.assign(slot_count, 0);
-  force.clear();
-  springs.assign(block_count, {});
-  memory.assign(remembers ? block_count : 0, {});
-  entry.assign(partners.size(), 0);
-  parallel_shares(count, threads, [&](std::size_t from, std::size_t to, int) {
-    for (std::size_t i = from; i < to; ++i)
-      for (std::uint32_t k = begin[i]; k < begin[i + 1]; ++k) {
-        const std::uint32_t j = partners[k] >> 1;
-        if (j < i) continue;
-        const std::uint32_t slot = own_end_[group_of(parcels, classes, i, partners[k]) * count + i]++;
-        const bool is_second = parcels.body[i].id > parcels.body[j].id;
-        first[slot] = is_second ? j : static_cast<std::uint32_t>(i);
-        second[slot] = is_second ? static_cast<std::uint32_t>(i) : j;
-        entry[k] = 2 * slot + (is_second ? 1 : 0);
-      }
-  });
-  // The other parcel looks its slot up in the list of the one that numbered it.
-  std::atomic<bool> one_sided{false};
-  parallel_shares(count, threads, [&](std::size_t from, std::size_t to, int) {
-    for (std::size_t i = from; i < to; ++i)
-      for (std::uint32_t k = begin[i]; k < begin[i + 1]; ++k) {
-        const std::uint32_t j = partners[k] >> 1;
-        if (j > i) continue;
-        const auto last = partners.begin() + begin[j + 1];
-        const auto at = std::find_if(partners.begin() + begin[j], last,
-                                     [i](std::uint32_t partner) { return partner >> 1 == i; });
-        if (at == last)
-          one_sided = true;
-        else
-          entry[k] = entry[static_cast<std::size_t>(at - partners.begin())] ^ 1u;
-      }
-  });
-  if (one_sided) throw Failure(Exit::internal_check, "a near pair is listed by one of its parcels only");
+  entry.assign(listed.size(), 0);
+  std::vector<std::uint32_t> slot_of(pairs.size());
+  // First the parcels that own the slots, then their partners, which look them up.
+  for (const bool owners : {true, false})
+    parallel_shares(count, threads, [&](std::size_t from, std::size_t to, int) {
+      for (std::size_t i = from; i < to; ++i)
+        for (std::uint32_t k = begin[i]; k < begin[i + 1]; ++k) {
+          const FoundPair& p = pairs[listed[k].pair];
+          const std::uint32_t own = std::min(p.first, p.second), partner = std::max(p.first, p.second);
+          if ((own == i) != owners) continue;
+          std::uint32_t& slot = slot_of[listed[k].pair];
+          const bool is_second = parcels.body[i].id > listed[k].partner_id;
+          if (owners) {
+            slot = own_end_[p.group * count + i]++;
+            first[slot] = is_second ? partner : own;
+            second[slot] = is_second ? own : partner;
+          }
+          entry[k] = 2 * slot + is_second;
+        }
+    });
 }
 
 TouchingList NearPairs::pack(const Parcels& parcels, int threads) const {
@@ -287,7 +234,7 @@ TouchingList NearPairs::pack(const Parcels& parcels, int threads) const {
   for (std::size_t i = 0; i < count; ++i) list.begin[i + 1] += list.begin[i];
   list.partner.resize(list.begin[count]);
   list.history.resize(list.begin[count]);
-  list.memory.used = remembers;
+  list.memory.used = pasts.remembers;
   list.memory.assign(list.begin[count]);
   parallel_shares(count, threads, [&](std::size_t from, std::size_t to, int) {
     for (std::size_t i = from; i < to; ++i) {
@@ -296,8 +243,9 @@ TouchingList NearPairs::pack(const Parcels& parcels, int threads) const {
         if (owned(k)) {
           const std::uint32_t slot = entry[k] >> 1;
           list.partner[at] = parcels.body[second[slot]].id;
-          if (remembers) list.memory.list[at] = memory_of(slot);
-          list.history[at++] = history(slot);
+          const laws::Past past = pasts.of(slot);
+          if (pasts.remembers) list.memory.list[at] = {past.plastic, past.adhesion, past.grip};
+          list.history[at++] = {past.slide, past.roll};
         }
     }
   });
@@ -307,9 +255,22 @@ TouchingList NearPairs::pack(const Parcels& parcels, int threads) const {
 std::size_t NearPairs::restore(const TouchingList& list, std::span<const std::uint32_t> old_index,
                                const Parcels& parcels, int threads) {
   const std::size_t count = parcels.size();
-  std::vector<std::size_t> found(static_cast<std::size_t>(std::max(threads, 1)), 0);
+  struct Found {
+    std::size_t count = 0;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> apart;  ///< slots, and where they stand in the list
+  };
+  std::vector<Found> found(static_cast<std::size_t>(std::max(threads, 1)));
+  const auto put_back = [&](std::uint32_t slot, std::uint32_t at) {
+    laws::Past past{list.history[at].slide, list.history[at].roll};
+    if (pasts.remembers && list.memory.used) {
+      const laws::Memory& more = list.memory.list[at];
+      past.plastic = more.plastic, past.adhesion = more.adhesion, past.grip = more.grip;
+    }
+    touching[slot] = 1;
+    set_past(slot, past);
+  };
   parallel_shares(count, threads, [&](std::size_t from, std::size_t to, int thread) {
-    std::size_t mine = 0;
+    Found mine;
     for (std::size_t i = from; i < to; ++i) {
       if (old_index[i] == no_parcel) continue;
       // Both lists ascend in the partner's id: one pass over both.
@@ -320,36 +281,51 @@ std::size_t NearPairs::restore(const TouchingList& list, std::span<const std::ui
         const std::uint32_t slot = entry[k] >> 1, id = parcels.body[second[slot]].id;
         while (at < end && list.partner[at] < id) ++at;
         if (at < end && list.partner[at] == id) {
-          touching[slot] = 1;
-          if (remembers && list.memory.used) set_memory(slot, list.memory.list[at]);
-          set_history(slot, list.history[at++]);
-          ++mine;
+          if (slot < first_apart())
+            put_back(slot, at);
+          else
+            mine.apart.push_back({slot, at});
+          ++at, ++mine.count;
         }
       }
     }
-    found[static_cast<std::size_t>(thread)] = mine;
+    found[static_cast<std::size_t>(thread)] = std::move(mine);
   });
   std::size_t total = 0;
-  for (const std::size_t n : found) total += n;
+  for (const Found& of_thread : found) {
+    total += of_thread.count;
+    // By this thread alone: the part that such a pair belongs to may be another than the one that found it.
+    for (const auto& [slot, at] : of_thread.apart) put_back(slot, at);
+  }
   return total;
 }
 
+Vec3 NearPairs::force_on_first(std::size_t slot) const {
+  if (!forces_kept_) return {};
+  if (slot < first_apart()) return force[slot];
+  const MetPairs::Contact* contact = pasts.met_at(slot);
+  return contact ? contact->load.force : Vec3{};
+}
+
 void NearPairs::keep_forces(bool keep) {
-  if (keep)
-    force.assign(slots(), {});
-  else
-    force.clear();
+  forces_kept_ = keep;
+  force.assign(keep ? first_apart() : 0, {});
 }
 
 void NearPairs::take_over_forces(const NearPairs& old, std::span<const std::uint32_t> old_index) {
-  if (old.force.empty()) return;
-  force.assign(slots(), {});
+  if (!old.forces_kept_) return;
+  keep_forces(true);
   for (std::size_t slot = 0; slot < slots(); ++slot) {
     if (!touching[slot]) continue;
+    Vec3 on_first;
     const std::uint32_t i = old_index[first[slot]], j = old_index[second[slot]];
     for (std::uint32_t k = old.begin[i]; k < old.begin[i + 1]; ++k)
       if (!(old.entry[k] & 1u) && old.second[old.entry[k] >> 1] == j)
-        force[slot] = old.force[old.entry[k] >> 1];
+        on_first = old.force_on_first(old.entry[k] >> 1);
+    if (slot < first_apart())
+      force[slot] = on_first;
+    else
+      pasts.met.put(slot - first_apart(), {pasts.of(slot), {on_first, {}, {}}}, part_of(slot));
   }
 }
 

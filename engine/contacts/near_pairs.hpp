@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "engine/contacts/cell_grid.hpp"
-#include "engine/contacts/contact_classes.hpp"
+#include "engine/contacts/met_pairs.hpp"
+#include "engine/contacts/pair_search.hpp"
 #include "engine/contacts/touching.hpp"
 #include "engine/kernels/parcel_block.hpp"
 #include "engine/parcels/parcels.hpp"
@@ -16,22 +16,19 @@ namespace pulvis {
 
 using kernels::PairLoad;
 
-/// Pairs of parcels that touch or could before the next rebuild. Each pair has one slot, which holds its
-/// history; each parcel has a list of its slots, sorted by the partner's id, so that sums run in
-/// the same order whatever the lists contain besides. Slots of one group lie together and each group begins a new
-/// block of the kernels, so that blocks of slots are evaluated where they stand; slots that only fill a block up
-/// belong to no entry and never touch. A contact class has two groups: pairs that touched or nearly did when the lists
-/// were made, and pairs apart, whose blocks mostly need no more than a look at their distances.
+/// Pairs of parcels that touch or could before the next rebuild. Each pair has one slot; each parcel has a list of its
+/// slots, sorted by the partner's id, so that sums run in the same order whatever the lists contain besides. Slots of one
+/// group lie together and each group begins a new block of the kernels; slots that only fill a block up belong to no entry
+/// and never touch. A contact class has two groups: pairs that touched or nearly did when the lists were made, whose blocks
+/// are evaluated where they stand, and pairs apart, of which most need no more than a look at their distance.
 class NearPairs {
  public:
   static constexpr std::uint32_t no_parcel = 0xffffffffu;
   static constexpr std::size_t parcels_at_once =
       512;  ///< what they need of each other stays in the second cache
 
-  /// Finds all pairs closer than margin_i + margin_j + reach. `margin` is per parcel, m; `reach` covers
-  /// contacts that hold beyond touching. Forgets all contacts: see `restore`.
-  void rebuild(const Parcels& parcels, const ContactClasses& classes, std::span<const double> margin,
-               double reach, const Box& box, const Slide& slide, int threads);
+  /// Lists the pairs that are near now. Forgets all contacts: see `restore`.
+  void rebuild(const PairSearch& wanted, int threads);
 
   /// The contacts that touch now.
   TouchingList pack(const Parcels& parcels, int threads) const;
@@ -50,7 +47,9 @@ class NearPairs {
 
   std::size_t class_of(std::size_t group) const { return group % (group_begin.size() / 2); }
   bool are_apart(std::size_t group) const { return group >= group_begin.size() / 2; }
-  std::size_t first_apart() const { return group_begin[group_begin.size() / 2]; }  ///< slot
+  std::size_t first_apart() const {  ///< slot
+    return pasts.first_apart;
+  }
 
   /// End of the slots of a group that belong to the parcels up to `parcel` in the order of the store. A slot belongs to
   /// that of its two parcels which stands first.
@@ -79,44 +78,53 @@ class NearPairs {
                       n = static_cast<std::size_t>(shares_);
     return std::span(divided_ones_).subspan(count * k / n, count * (k + 1) / n - count * k / n);
   }
-  laws::History history(std::size_t slot) const;
-  void set_history(std::size_t slot, const laws::History& history);
+  /// Sets what a contact remembers. Those of pairs apart must be set by one thread at a time.
+  void set_past(std::size_t slot, const laws::Past& past);
 
-  /// Goes through the share `part` as every step does: calls `block(group, slot)` for each block of 64 slots, beginning
-  /// with `slot`, that parcels need before `parcels(from, to)` is called for them. `cursors`: one per group.
-  template <class Block, class OfParcels>
-  void go_through(int part, std::vector<std::size_t>& cursors, Block&& block, OfParcels&& parcels) const {
+  /// Goes through the share `part` as every step does: calls `slots(group, from, to)` for the slots, whole blocks of 64
+  /// of a group, that parcels need before `parcels(from, to)` is called for them. `cursors`: one per group.
+  template <class Slots, class OfParcels>
+  void go_through(int part, std::vector<std::size_t>& cursors, Slots&& slots, OfParcels&& parcels) const {
+    constexpr std::size_t block = kernels::block_size;
     const auto [from, to] = share(part);
     for (std::size_t g = 0; g < cursors.size(); ++g) cursors[g] = first_block(g, from);
     for (std::size_t start = from; start < to; start += parcels_at_once) {
       const std::size_t end = std::min(to, start + parcels_at_once);
-      for (std::size_t g = 0; g < cursors.size(); ++g)
-        for (; cursors[g] < slot_end(g, end - 1); cursors[g] += kernels::block_size) block(g, cursors[g]);
+      for (std::size_t g = 0; g < cursors.size(); ++g) {
+        const std::size_t wanted = slot_end(g, end - 1), begin_slot = cursors[g];
+        if (begin_slot >= wanted) continue;
+        cursors[g] += (wanted - begin_slot + block - 1) / block * block;
+        slots(g, begin_slot, std::min(cursors[g], group_end[g]));
+      }
       parcels(start, end);
     }
   }
   std::size_t groups() const { return group_begin.size(); }
+  /// The share whose way goes through a slot.
+  int part_of(std::size_t slot) const;
+  /// How many slots there are in the block behind the one that begins with `slot`.
+  int ahead_of(std::size_t slot) const {
+    constexpr std::size_t block = kernels::block_size;
+    return static_cast<int>(std::min(block, slots() - std::min(slots(), slot + block)));
+  }
 
   /// Force on the first of a pair at the end of the last step, N, if that kept the forces; else zero.
-  Vec3 force_on_first(std::size_t slot) const { return force.empty() ? Vec3{} : force[slot]; }
-  std::uint32_t no_summand() const { return static_cast<std::uint32_t>(2 * (load.size() - 1)); }
+  Vec3 force_on_first(std::size_t slot) const;
   /// Forgets the forces, and says whether the step that comes shall keep its own.
   void keep_forces(bool keep);
 
   // Per slot. The first has the lower id.
   std::vector<std::uint32_t> first, second;
   std::vector<std::uint8_t> touching;
-  std::vector<std::uint32_t> place;  ///< where its load lies while it is needed
-  std::vector<Vec3> force;           ///< empty where nobody asked for them
 
+  // Of close pairs, slots up to first_apart().
+  std::vector<Vec3> force;           ///< on the first; empty where nobody asked for them
+  std::vector<std::uint32_t> place;  ///< where its load lies while it is needed
   /// In places. A load is needed until both parcels have been summed up; then another contact takes its place, so that
-  /// there are about as many as a slice or two of the powder has pairs. The last is always zero.
+  /// there are about as many as a slice or two of the powder has pairs. The last stays unused.
   std::vector<PairLoad> load;
 
-  // Per block of slots.
-  std::vector<kernels::Springs> springs;
-  std::vector<kernels::MemoryLanes> memory;  ///< empty unless `remembers`
-  bool remembers = false;                    ///< to be set before the first rebuild
+  Pasts pasts;  ///< by slot
 
   // Per group: its slots are [group_begin[g], group_end[g]). The close ones of each class come first.
   std::vector<std::size_t> group_begin, group_end;
@@ -124,27 +132,30 @@ class NearPairs {
   // Per parcel: entries [begin[k], begin[k + 1]) of `entry`, partners' ids ascending.
   std::vector<std::uint32_t> begin;
   std::vector<std::uint32_t> entry;  ///< 2 slot + (1 if the parcel is the second)
-  std::vector<std::uint32_t>
-      summand;  ///< the same with places for slots, no_summand() for pairs apart; some more at the end
+  /// Those of close pairs alone, with places for slots: [summand_begin[k], summand_begin[k + 1]), and some more at the end.
+  std::vector<std::uint32_t> summand_begin, summand;
   std::vector<std::uint8_t> meets;  ///< touches one of those that were apart, in this step
 
  private:
-  /// Per entry: 2 index of the partner (+ 1 if they are apart).
-  using Partners = std::vector<std::uint32_t>;
-  Partners search(const Parcels& parcels, std::span<const double> margin, double reach, const Box& box,
-                  const Slide& slide, int threads);
-  void assign_slots(const Parcels& parcels, const ContactClasses& classes, const Partners& partners,
+  /// Where a pair stands in the list of one of its parcels, while slots are assigned.
+  struct Listed {
+    std::uint32_t pair;
+    std::uint32_t partner_id;
+  };
+  std::vector<Listed> list_pairs(const Parcels& parcels, std::span<const FoundPair> pairs, int threads);
+  void assign_slots(const Parcels& parcels, std::size_t class_count, std::span<const FoundPair> pairs,
                     int threads);
-  std::size_t count_slots(const Parcels& parcels, const ContactClasses& classes, const Partners& partners,
-                          int threads);
+  std::size_t count_slots(std::size_t class_count, std::span<const FoundPair> pairs,
+                          std::span<const Listed> listed, int threads);
+  std::uint32_t owner_of_block(std::size_t slot) const;
   void divide(int threads);
   void assign_places();
+  void list_summands();
   std::uint32_t number_places(int part);
-  laws::Memory memory_of(std::size_t slot) const;
-  void set_memory(std::size_t slot, const laws::Memory& memory);
 
   std::vector<std::uint32_t> own_end_;  ///< [group * parcels + parcel]
   int shares_ = 1;
+  bool forces_kept_ = false;
   std::vector<std::uint8_t> divided_;
   std::vector<std::uint32_t> divided_ones_;
 };

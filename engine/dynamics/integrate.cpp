@@ -138,9 +138,13 @@ class ShareOfSweep {
   void run() {
     t_.pairs.go_through(
         part_, t_.evaluator.cursors(part_),
-        [&](std::size_t group, std::size_t slot) {
-          t_.evaluator.block(t_.pairs, t_.parcels, t_.classes.all()[t_.pairs.class_of(group)], group, slot,
-                             t_.images, fields_.dt, part_);
+        [&](std::size_t group, std::size_t from, std::size_t to) {
+          const ContactClass& contact = t_.classes.all()[t_.pairs.class_of(group)];
+          const StepOfPairs step{t_.parcels, contact, t_.images, fields_.dt, part_};
+          if (t_.pairs.are_apart(group))
+            t_.evaluator.pairs_apart(t_.pairs, from, to, step);
+          else
+            t_.evaluator.pairs_close(t_.pairs, from, to, step);
         },
         [&](std::size_t begin, std::size_t end) { finish(begin, end); });
   }

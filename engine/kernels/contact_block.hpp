@@ -42,6 +42,20 @@ struct MemoryLanes {
   alignas(64) Lane plastic, adhesion, grip;
 };
 
+/// What one contact remembers; `memory` is null where laws have none.
+PULVIS_INLINE laws::Past past_of(const Springs& springs, const MemoryLanes* memory, int k) {
+  laws::Past past{load(springs.slide, k), load(springs.roll, k)};
+  if (memory)
+    past.plastic = memory->plastic[k], past.adhesion = memory->adhesion[k], past.grip = memory->grip[k];
+  return past;
+}
+PULVIS_INLINE void put_past(Springs& springs, MemoryLanes* memory, int k, const laws::Past& past) {
+  store(springs.slide, k, past.slide);
+  store(springs.roll, k, past.roll);
+  if (memory)
+    memory->plastic[k] = past.plastic, memory->adhesion[k] = past.adhesion, memory->grip[k] = past.grip;
+}
+
 /// What a pair contact does to its two parcels, about their centres: N, N m.
 struct PairLoad {
   Vec3 force;  ///< on the first; the second gets the opposite
@@ -52,7 +66,7 @@ struct PairLoad {
 /// laws::Touch.
 struct ContactBlock {
   int count = 0;
-  std::uint32_t slot[block_size];  ///< walls only
+  std::uint32_t slot[block_size];  ///< only of contacts brought together from several blocks, and with walls
 
   Springs* springs = nullptr;     ///< in and out
   MemoryLanes* memory = nullptr;  ///< in and out; null for laws that have none
@@ -100,6 +114,15 @@ struct SeparateBlock : ContactBlock {
   MemoryLanes own_memory;
 };
 
+/// Up to block_size pairs that are near but hardly touch.
+struct PairsApart {
+  int count;
+  const std::uint32_t *first,
+      *second;  ///< indices of parcels; memory is asked for those of `ahead` more behind them
+  const std::uint8_t* touching;
+  int ahead;
+};
+
 /// A law as stages, each a loop over the block, in the order of laws/contact_law.hpp. One set of stages for each
 /// part, so code grows with the sum of the parts; stages that a law does without are null.
 class ContactKernel {
@@ -112,6 +135,10 @@ class ContactKernel {
                           const std::uint32_t* second, int ahead);
   /// Whether any contact of the block exists or is nearer than `approach` (m).
   using Look = bool (*)(const ContactBlock& block, double approach);
+  /// Finds those of the pairs that exist or are nearer than `approach` (m), up to rounding: writes their numbers from 0
+  /// on to `met`, ascending, and returns how many. Looks at places and radii alone.
+  using Glance = int (*)(const PairsApart& pairs, const Parcel* parcels, const Images& images,
+                         double approach, std::uint8_t* met);
   /// Brings the results to each contact's place, load[place[k]], and the forces also to force[k] unless that is null.
   using Scatter = void (*)(const ContactBlock& block, PairLoad* load, const std::uint32_t* place,
                            Vec3* force);
@@ -134,6 +161,7 @@ class ContactKernel {
 
   Gather gather = nullptr;
   Look any_in_reach = nullptr;
+  Glance glance = nullptr;
   Scatter scatter = nullptr;
   /// Of a sheared domain, before the geometry: offset and velocity of the image nearest along the gradient axis.
   Stage images = nullptr;

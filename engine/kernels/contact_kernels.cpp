@@ -4,75 +4,14 @@
 #include <array>
 #include <cstddef>
 
-#include "engine/kernels/parcel_block.hpp"
+#include "engine/kernels/contact_block.hpp"
 #include "engine/laws/catalogue.hpp"
-#include "engine/math/four.hpp"
 #include "engine/parcels/domain.hpp"
 
 namespace pulvis::kernels {
 namespace PULVIS_ISA {
 
-// --- between the store and the lanes ----------------------------------------------------------------------
-//
-// Records are read and written whole and turned into lanes in registers (engine/math/four.hpp).
-
-static void gather(ContactBlock& b, const Parcel* parcels, const std::uint32_t* first,
-                   const std::uint32_t* second, int ahead) {
-  const int count = b.count;
-  for (int k = block_size; k < block_size + ahead;
-       ++k) {  // what the next block needs lies all over the store
-    ask_for(parcels[first[k]]);
-    ask_for(parcels[second[k]]);
-  }
-  for (int k = 0; k < count; k += 4) {
-    const double *p[4], *q[4];
-    for (int j = 0; j < 4; ++j) {
-      const int lane = k + j < count ? k + j : count - 1;  // what is left over repeats the last
-      p[j] = reinterpret_cast<const double*>(parcels + first[lane]);
-      q[j] = reinterpret_cast<const double*>(parcels + second[lane]);
-    }
-    const Quartet p_at = quartet(p, 0), q_at = quartet(q, 0);
-    put_four(b.offset.x + k, q_at.a - p_at.a);
-    put_four(b.offset.y + k, q_at.b - p_at.b);
-    put_four(b.offset.z + k, q_at.c - p_at.c);
-    put_four(b.radius_first + k, p_at.d);
-    put_four(b.radius_second + k, q_at.d);
-    const Quartet p_speed = quartet(p, 4), q_speed = quartet(q, 4);
-    put_four(b.velocity.x + k, p_speed.a - q_speed.a);
-    put_four(b.velocity.y + k, p_speed.b - q_speed.b);
-    put_four(b.velocity.z + k, p_speed.c - q_speed.c);
-    put_four(b.mass_first + k, p_speed.d);
-    put_four(b.mass_second + k, q_speed.d);
-    const Quartet p_spin = quartet(p, 8),
-                  q_spin = quartet(q, 8);  // the fourth are ids, which nobody asks for
-    put_four(b.spin_first.x + k, p_spin.a);
-    put_four(b.spin_first.y + k, p_spin.b);
-    put_four(b.spin_first.z + k, p_spin.c);
-    put_four(b.spin_second.x + k, q_spin.a);
-    put_four(b.spin_second.y + k, q_spin.b);
-    put_four(b.spin_second.z + k, q_spin.c);
-  }
-}
-
-static void scatter(const ContactBlock& b, PairLoad* load, const std::uint32_t* place, Vec3* force) {
-  int k = 0;
-  for (; k + 4 <= b.count; k += 4) {
-    double* to[4];
-    for (int j = 0; j < 4; ++j) to[j] = &load[place[k + j]].force.x;
-    put_quartet(to, 0,
-                {four_at(b.force.x + k), four_at(b.force.y + k), four_at(b.force.z + k),
-                 four_at(b.torque_first.x + k)});
-    put_quartet(to, 4,
-                {four_at(b.torque_first.y + k), four_at(b.torque_first.z + k), four_at(b.torque_second.x + k),
-                 four_at(b.torque_second.y + k)});
-    for (int j = 0; j < 4; ++j) to[j][8] = b.torque_second.z[k + j];
-  }
-  for (; k < b.count; ++k)
-    load[place[k]] = {kernels::load(b.force, k), kernels::load(b.torque_first, k),
-                      kernels::load(b.torque_second, k)};
-  if (!force) return;
-  for (k = 0; k < b.count; ++k) force[k] = kernels::load(b.force, k);
-}
+void add_exchange(ContactKernel& kernel);  // engine/kernels/exchange_kernels.cpp
 
 static bool any_in_reach(const ContactBlock& b, double approach) {
   const int count = b.count;
@@ -376,9 +315,8 @@ static Stage cohesion_stage_of(laws::PartList<Parts...>, std::size_t index) {
 
 ContactKernel contact_kernel(const laws::Law& law) {
   ContactKernel kernel;
-  kernel.gather = gather;
+  add_exchange(kernel);
   kernel.any_in_reach = any_in_reach;
-  kernel.scatter = scatter;
   kernel.images = images_stage;
   kernel.geometry = geometry_stage;
   if (law.cohesion->needs_sizes || law.rolling->needs_sizes) kernel.wall_sizes = wall_sizes_stage;

@@ -60,7 +60,7 @@ struct Slide {
     return d > half ? 1.0 : d < -half ? -1.0 : 0.0;
   }
   /// A difference of positions, brought to the image that is nearest along the gradient axis.
-  Vec3 operator()(Vec3 d) const {
+  PULVIS_INLINE Vec3 operator()(Vec3 d) const {
     const double across = crossed(d[gradient], height);
     d[gradient] -= across * height;
     d[flow] -= across * shift;
@@ -93,7 +93,7 @@ struct Images {
 
   static Images of(const Box& box, double time) { return {NearestImage::of(box), Slide::of(box, time)}; }
   /// Nearest image of a difference of positions.
-  Vec3 operator()(const Vec3& d) const { return periods(slide.any() ? slide(d) : d); }
+  PULVIS_INLINE Vec3 operator()(const Vec3& d) const { return periods(slide.any() ? slide(d) : d); }
 };
 
 }  // namespace pulvis

@@ -40,12 +40,14 @@ std::vector<double> Simulation::expected_speeds(std::span<const std::uint32_t> o
   const std::size_t count = state_.parcels.size(),
                     old_count = pairs_.begin.empty() ? 0 : pairs_.begin.size() - 1;
   std::vector<double> speed(count), old_speed(old_count, 0.0);
-  for (std::size_t i = 0; i < count; ++i) {
-    const Parcel& p = state_.parcels.body[i];
-    const Vec3 own = p.velocity - drift_velocity_ - model_.domain.flow_velocity(p.position);
-    speed[i] = norm(own) + 0.5 * magnitude(model_.domain.shear.rate) * p.radius;
-    if (old_index[i] < old_count) old_speed[old_index[i]] = speed[i];
-  }
+  parallel_shares(count, threads(), [&](std::size_t from, std::size_t to, int) {
+    for (std::size_t i = from; i < to; ++i) {
+      const Parcel& p = state_.parcels.body[i];
+      const Vec3 own = p.velocity - drift_velocity_ - model_.domain.flow_velocity(p.position);
+      speed[i] = norm(own) + 0.5 * magnitude(model_.domain.shear.rate) * p.radius;
+      if (old_index[i] < old_count) old_speed[old_index[i]] = speed[i];
+    }
+  });
   std::vector<double> of_body(poses_.size());
   for (std::size_t b = 0; b < of_body.size(); ++b) of_body[b] = speed_against_drift(b);
   parallel_shares(count, threads(), [&](std::size_t from, std::size_t to, int) {
@@ -73,11 +75,13 @@ void Simulation::choose_margins(std::span<const std::uint32_t> old_index) {
   drift_velocity_ = model_.domain.shear.any() ? Vec3{} : common_velocity();
   margin_.resize(state_.parcels.size());
   const std::vector<double> speed = expected_speeds(old_index);
-  for (std::size_t i = 0; i < margin_.size(); ++i) {
-    const double radius = state_.parcels.body[i].radius;
-    const double wish = speed[i] * model_.dt * steps_between_rebuilds / radius;
-    margin_[i] = radius * std::clamp(1.2 * wish + least, least, most);
-  }
+  parallel_shares(margin_.size(), threads(), [&](std::size_t from, std::size_t to, int) {
+    for (std::size_t i = from; i < to; ++i) {
+      const double radius = state_.parcels.body[i].radius;
+      const double wish = speed[i] * model_.dt * steps_between_rebuilds / radius;
+      margin_[i] = radius * std::clamp(1.2 * wish + least, least, most);
+    }
+  });
   body_margin_.resize(poses_.size());
   for (std::size_t b = 0; b < poses_.size(); ++b)
     body_margin_[b] =
@@ -162,11 +166,13 @@ std::vector<std::uint32_t> Simulation::rebuild(const TouchingList& old_pairs, co
   choose_margins(old_index);
   const std::size_t count = state_.parcels.size();
   reference_.resize(count);
-  for (std::size_t i = 0; i < count; ++i) reference_[i] = state_.parcels.body[i].position;
+  parallel_shares(count, threads(), [&](std::size_t from, std::size_t to, int) {
+    for (std::size_t i = from; i < to; ++i) reference_[i] = state_.parcels.body[i].position;
+  });
   body_reference_.resize(poses_.size());
   for (std::size_t b = 0; b < poses_.size(); ++b) body_reference_[b] = poses_[b].now;
 
-  pairs_.rebuild(state_.parcels, model_.classes, margin_, reach_, model_.domain, images_.slide, threads());
+  pairs_.rebuild({state_.parcels, model_.classes, margin_, reach_, model_.domain, images_.slide}, threads());
   rebuilt_at_ = state_.step;
   walls_.rebuild(state_.parcels, model_.walls, poses_, margin_, body_margin_, reach_, threads());
   const std::size_t pairs_found = pairs_.restore(old_pairs, old_index, state_.parcels, threads());

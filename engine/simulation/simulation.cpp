@@ -41,7 +41,7 @@ Simulation::Simulation(Model model, State state, int threads, const TimeSheet& t
       poses_(model_.walls.bodies.size()),
       evaluator_(most_threads_, model_.classes.all().size(),
                  model_.classes.longest_approach(model_.largest_radius)) {
-  pairs_.remembers = walls_.memory.used = model_.classes.remember();
+  pairs_.pasts.remembers = walls_.memory.used = model_.classes.remember();
   find_body_corners();
   has_bounded_walls_ = std::any_of(model_.walls.surfaces.begin(), model_.walls.surfaces.end(),
                                    [](const Surface& s) { return s.kind != Surface::Kind::plane; });
@@ -325,11 +325,11 @@ Vec3 Simulation::force_on_surface(std::size_t surface) const {
 std::size_t Simulation::memory() const {
   const auto bytes = [](const auto& v) { return v.capacity() * sizeof v[0]; };
   return bytes(state_.parcels.body) + bytes(state_.parcels.load) + bytes(reference_) + bytes(margin_) +
-         bytes(pairs_.first) + bytes(pairs_.second) + bytes(pairs_.touching) + bytes(pairs_.springs) +
-         bytes(pairs_.memory) + bytes(pairs_.load) + bytes(pairs_.place) + bytes(pairs_.force) +
-         bytes(pairs_.begin) + bytes(pairs_.entry) + bytes(pairs_.summand) + bytes(pairs_.meets) +
-         bytes(walls_.begin) + bytes(walls_.parcel) + bytes(walls_.surface) + bytes(walls_.history) +
-         bytes(walls_.load);
+         bytes(pairs_.first) + bytes(pairs_.second) + bytes(pairs_.touching) + bytes(pairs_.pasts.springs) +
+         bytes(pairs_.pasts.memory) + pairs_.pasts.met.bytes() + bytes(pairs_.load) + bytes(pairs_.place) +
+         bytes(pairs_.force) + bytes(pairs_.begin) + bytes(pairs_.entry) + bytes(pairs_.summand_begin) +
+         bytes(pairs_.summand) + bytes(pairs_.meets) + bytes(walls_.begin) + bytes(walls_.parcel) +
+         bytes(walls_.surface) + bytes(walls_.history) + bytes(walls_.load);
 }
 
 }  // namespace pulvis

@@ -10,7 +10,9 @@
 #include <set>
 #include <utility>
 
+#include "engine/contacts/cell_grid.hpp"
 #include "validation/draw.hpp"
+#include "validation/scene.hpp"
 
 using namespace pulvis;
 using pulvis::validation::Draw;
@@ -84,7 +86,7 @@ using Pairs = std::set<std::pair<std::uint32_t, std::uint32_t>>;
 
 void expect_pairs_of_brute_force(const Packing& p, int threads) {
   NearPairs near;
-  near.rebuild(p.parcels, one_class, p.margin, p.reach, p.box, p.slide, threads);
+  near.rebuild({p.parcels, one_class, p.margin, p.reach, p.box, p.slide}, threads);
   Pairs found;
   for (std::size_t s = 0; s < near.slots(); ++s) {
     if (!near.is_pair(s)) continue;
@@ -140,10 +142,11 @@ TEST(NearPairs, AreThoseOfBruteForceInPeriodicBoxesOfOneAndTwoCells) {
 TEST(NearPairs, AreTheSameForAnyNumberOfThreads) {
   for (std::uint64_t k = 0; k < 5; ++k) {
     const Packing p = random_packing(400 + k, column, 1000, 1.0);
+    const PairSearch wanted{p.parcels, one_class, p.margin, p.reach, p.box, p.slide};
     NearPairs one, two, three;
-    one.rebuild(p.parcels, one_class, p.margin, p.reach, p.box, p.slide, 1);
-    two.rebuild(p.parcels, one_class, p.margin, p.reach, p.box, p.slide, 2);
-    three.rebuild(p.parcels, one_class, p.margin, p.reach, p.box, p.slide, 3);
+    one.rebuild(wanted, 1);
+    two.rebuild(wanted, 2);
+    three.rebuild(wanted, 3);
     expect_pairs_of_brute_force(p, 3);
     for (const NearPairs* other : {&two, &three}) {
       EXPECT_EQ(one.first, other->first);
@@ -153,11 +156,32 @@ TEST(NearPairs, AreTheSameForAnyNumberOfThreads) {
     }
   }
 }
+TEST(NearPairs, LieInTheGroupOfTheirClassAndOfTheirDistance) {
+  ContactClasses classes(2);
+  classes.set(0, 0, {});
+  classes.set(0, 1, {});
+  classes.set(1, 1, {});
+  Packing p = random_packing(510, column, 500, 2.0);
+  for (Parcel& q : p.parcels.body) q.species = q.id % 2;
+  NearPairs near;
+  near.rebuild({p.parcels, classes, p.margin, p.reach, p.box, p.slide}, 2);
+  ASSERT_EQ(near.groups(), 6u);
+  for (std::size_t group = 0; group < near.groups(); ++group) {
+    EXPECT_LT(near.group_begin[group], near.group_end[group]);
+    for (std::size_t slot = near.group_begin[group]; slot < near.group_end[group]; ++slot) {
+      const Parcel &a = p.parcels.body[near.first[slot]], &b = p.parcels.body[near.second[slot]];
+      ASSERT_EQ(near.class_of(group), classes.index(a.species, b.species));
+      const double gap = shortest(p, near.first[slot], near.second[slot]) - a.radius - b.radius - p.reach;
+      const double margins = p.margin[near.first[slot]] + p.margin[near.second[slot]];
+      ASSERT_EQ(near.are_apart(group), gap > 0.1 * margins) << gap / margins;
+    }
+  }
+}
 TEST(NearPairs, AreNoneAmongNoneAndOneParcel) {
   for (const std::size_t count : {std::size_t{0}, std::size_t{1}}) {
     const Packing p = random_packing(500, all_around, count, 2.0);
     NearPairs near;
-    near.rebuild(p.parcels, one_class, p.margin, p.reach, p.box, p.slide, 2);
+    near.rebuild({p.parcels, one_class, p.margin, p.reach, p.box, p.slide}, 2);
     EXPECT_EQ(near.slots(), 0u);
     EXPECT_EQ(near.begin.size(), count + 1);
   }
@@ -172,21 +196,24 @@ void expect_loads_stay_while_they_are_needed(const NearPairs& near) {
   std::size_t evaluated = 0, summed = 0;
   const auto sum_up = [&](std::size_t i) {
     done[i] = true;
+    std::uint32_t at = near.summand_begin[i];
     for (std::uint32_t k = near.begin[i]; k < near.begin[i + 1]; ++k) {
       const std::size_t slot = near.entry[k] >> 1;
-      ASSERT_EQ(near.summand[k],
-                slot < near.first_apart() ? 2 * near.place[slot] + (near.entry[k] & 1u) : near.no_summand());
+      if (slot >= near.first_apart()) continue;
+      ASSERT_EQ(near.summand[at++], 2 * near.place[slot] + (near.entry[k] & 1u));
       ASSERT_EQ(holder[near.place[slot]], slot);
       if (done[near.first[slot]] && done[near.second[slot]]) holder[near.place[slot]] = nobody, ++summed;
     }
+    ASSERT_EQ(at, near.summand_begin[i + 1]);
   };
   for (int part = 0; part < near.shares(); ++part) {
     std::vector<std::size_t> cursors(near.groups());
     near.go_through(
         part, cursors,
-        [&](std::size_t group, std::size_t begin) {
-          for (std::size_t slot = begin; slot < std::min(begin + kernels::block_size, near.group_end[group]);
-               ++slot) {
+        [&](std::size_t group, std::size_t slots_from, std::size_t slots_to) {
+          for (std::size_t slot = slots_from; slot < slots_to; ++slot) ASSERT_EQ(near.part_of(slot), part);
+          if (near.are_apart(group)) return;
+          for (std::size_t slot = slots_from; slot < slots_to; ++slot) {
             ASSERT_EQ(holder[near.place[slot]], nobody) << "slot " << slot << " of " << near.slots();
             holder[near.place[slot]] = slot;
             ++evaluated;
@@ -207,7 +234,7 @@ void expect_loads_stay_while_they_are_needed(const NearPairs& near) {
   EXPECT_EQ(divided > 0, near.shares() > 1);
   EXPECT_EQ(std::count(done.begin(), done.end(), true), static_cast<std::ptrdiff_t>(done.size()));
   std::size_t pairs = 0;
-  for (std::size_t slot = 0; slot < near.slots(); ++slot) pairs += near.is_pair(slot);
+  for (std::size_t slot = 0; slot < near.first_apart(); ++slot) pairs += near.is_pair(slot);
   EXPECT_EQ(evaluated, pairs);
   EXPECT_EQ(summed, pairs);
 }
@@ -219,10 +246,10 @@ TEST(NearPairs, LoadsStayInTheirPlacesWhileTheyAreNeeded) {
               [](const Parcel& a, const Parcel& b) { return a.position.x < b.position.x; });
     for (const int threads : {1, 2, 3}) {
       NearPairs near;
-      near.rebuild(p.parcels, one_class, p.margin, p.reach, p.box, p.slide, threads);
+      near.rebuild({p.parcels, one_class, p.margin, p.reach, p.box, p.slide}, threads);
       expect_loads_stay_while_they_are_needed(near);
       if (HasFatalFailure()) return;
-      EXPECT_TRUE(threads > 1 || near.load.size() < near.slots()) << "places are used again";
+      EXPECT_TRUE(threads > 1 || near.load.size() < near.first_apart()) << "places are used again";
     }
   }
 }
@@ -241,6 +268,42 @@ Packing random_sheared_packing(std::uint64_t number, std::size_t count, double s
 TEST(NearPairs, AreThoseOfBruteForceInASlidingBox) {
   for (std::uint64_t k = 0; k < 60; ++k)
     expect_pairs_of_brute_force(random_sheared_packing(800 + k, 400, 2.0), 1 + static_cast<int>(k % 3));
+}
+
+/// Of blocks of pairs, full ones and the last, by every instruction set this processor has.
+void expect_glance_of_brute_force(const Packing& p, std::uint64_t number) {
+  Draw draw(number, 25);
+  NearPairs near;
+  near.rebuild({p.parcels, one_class, p.margin, p.reach, p.box, p.slide}, 1);
+  for (std::uint8_t& touching : near.touching) touching = draw.chance(0.05);
+  const double approach = draw.chance(0.5) ? 0.0 : draw.between(0.0, 0.5);
+  const Images images{NearestImage::of(p.box), p.slide};
+  for (int set = 0; set <= static_cast<int>(kernels::instruction_set()); ++set) {
+    const kernels::ContactKernel kernel =
+        kernels::contact_kernel(scenes::law_of({}), static_cast<kernels::InstructionSet>(set));
+    for (std::size_t begin = near.first_apart(); begin < near.slots(); begin += kernels::block_size) {
+      const auto count = static_cast<int>(std::min<std::size_t>(kernels::block_size, near.slots() - begin));
+      std::uint8_t met[kernels::block_size];
+      const int found = kernel.glance(
+          {count, &near.first[begin], &near.second[begin], &near.touching[begin], near.ahead_of(begin)},
+          p.parcels.body.data(), images, approach, met);
+      std::vector<std::uint8_t> expected;
+      for (int k = 0; k < count; ++k) {
+        const std::size_t slot = begin + static_cast<std::size_t>(k);
+        const Parcel &a = p.parcels.body[near.first[slot]], &b = p.parcels.body[near.second[slot]];
+        if (near.touching[slot] || norm(images(b.position - a.position)) < a.radius + b.radius + approach)
+          expected.push_back(static_cast<std::uint8_t>(k));
+      }
+      ASSERT_EQ(std::vector<std::uint8_t>(met, met + found), expected);
+    }
+  }
+}
+
+TEST(NearPairs, GlanceFindsThoseApartThatMeetOrAreInReach) {
+  for (std::uint64_t k = 0; k < 20; ++k) {
+    expect_glance_of_brute_force(random_packing(1000 + k, column, 700, 2.0), k);
+    expect_glance_of_brute_force(random_sheared_packing(1100 + k, 700, 2.0), k);
+  }
 }
 
 TEST(CellGrid, RangesAroundACellOfASlidingBoxHoldEveryPointWithinTheEdgeExactlyOnce) {
@@ -289,17 +352,17 @@ TEST(CellGrid, RangesAroundACellHoldEveryPointWithinTheEdgeExactlyOnce) {
 TEST(ContactHistory, SurvivesARebuildInAnotherOrder) {
   Packing p = random_packing(700, column, 600, 1.0);
   NearPairs near;
-  near.rebuild(p.parcels, one_class, p.margin, p.reach, p.box, p.slide, 1);
+  near.rebuild({p.parcels, one_class, p.margin, p.reach, p.box, p.slide}, 1);
   // Every third pair touches and remembers numbers of its own.
   const auto memory = [](std::uint32_t a, std::uint32_t b) {
-    return laws::History{{a * 1.0, b * 1.0, a * 1e3 + b}, {b * 2.0, a * 3.0, 1.0}};
+    return laws::Past{{a * 1.0, b * 1.0, a * 1e3 + b}, {b * 2.0, a * 3.0, 1.0}};
   };
   std::size_t count = 0;
   for (std::size_t s = 0; s < near.slots(); s += 3) {
     if (!near.is_pair(s)) continue;
     ++count;
     near.touching[s] = 1;
-    near.set_history(s, memory(p.parcels.body[near.first[s]].id, p.parcels.body[near.second[s]].id));
+    near.set_past(s, memory(p.parcels.body[near.first[s]].id, p.parcels.body[near.second[s]].id));
   }
   const TouchingList list = near.pack(p.parcels, 2);
   ASSERT_EQ(list.size(), count);
@@ -323,15 +386,15 @@ TEST(ContactHistory, SurvivesARebuildInAnotherOrder) {
   moved.load.resize(moved.body.size());
   for (const int threads : {1, 2, 3}) {
     NearPairs after;
-    after.rebuild(moved, one_class, margin, p.reach, p.box, p.slide, threads);
+    after.rebuild({moved, one_class, margin, p.reach, p.box, p.slide}, threads);
     EXPECT_EQ(after.restore(list, old_index, moved, threads), count);
     std::size_t touching = 0;
     for (std::size_t s = 0; s < after.slots(); ++s) {
       if (!after.touching[s]) continue;
       ++touching;
       const auto expected = memory(moved.body[after.first[s]].id, moved.body[after.second[s]].id);
-      ASSERT_EQ(after.history(s).slide, expected.slide);
-      ASSERT_EQ(after.history(s).roll, expected.roll);
+      ASSERT_EQ(after.pasts.of(s).slide, expected.slide);
+      ASSERT_EQ(after.pasts.of(s).roll, expected.roll);
     }
     EXPECT_EQ(touching, count);
   }
