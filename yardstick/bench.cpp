@@ -70,9 +70,7 @@ void require_room_for(std::size_t parcels) {
 }
 
 /// Seconds: of the processor where one thread works, so that other programs disturb less; else of the clock.
-double now(int threads_used) {
-  return threads_used == 1 ? static_cast<double>(std::clock()) / CLOCKS_PER_SEC : seconds_now();
-}
+double now(int threads_used) { return threads_used == 1 ? seconds_of_this_thread() : seconds_now(); }
 
 /// How many beds of `tile` parcels lie side by side along each axis for about `size`.
 std::uint32_t tiles_for(std::size_t size, std::size_t tile) {
@@ -200,6 +198,12 @@ std::vector<KnownLaw> known_laws() {
   std::vector<KnownLaw> list;
   for (const LawOfBed& law : laws_of_beds()) list.push_back({law.name, law.title});
   return list;
+}
+
+double seconds_of_this_thread() {
+  timespec used{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &used);
+  return static_cast<double>(used.tv_sec) + 1e-9 * static_cast<double>(used.tv_nsec);
 }
 
 void bench(const Request& request) {

@@ -24,6 +24,10 @@ struct KnownLaw {
 /// What `laws` may ask for.
 std::vector<KnownLaw> known_laws();
 
+/// Seconds of the processor that the calling thread used. Those of the whole program would count threads that spin
+/// while they wait for work.
+double seconds_of_this_thread();
+
 /// Times settled beds of the yardstick's spheres and prints a table; the JSON is complete after each row. Throws
 /// Failure(usage) for a law that does not exist, or a bed too large for the memory that is free, before anything is
 /// computed.

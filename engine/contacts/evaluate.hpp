@@ -33,8 +33,8 @@ struct Meeting {
   std::uint32_t first[kernels::block_size], second[kernels::block_size];  ///< parcels
 };
 
-/// Evaluates all contacts of a step in blocks of one contact class each: near pairs where their slots stand,
-/// contacts with walls after they were staged. Which block a contact shares changes nothing: each result depends
+/// Evaluates all contacts of a step in blocks of one contact class each: close pairs where their slots
+/// stand; pairs apart that meet, and contacts with walls, after they were brought together. Which block a contact shares changes nothing: each result depends
 /// on its own contact alone.
 class ContactEvaluator {
  public:

@@ -2,8 +2,15 @@
 // `pulvis bench` from its command line to its rows. How fast anything was is not judged.
 #include <gtest/gtest.h>
 
-#include "tests/run/program.hpp"
+#include <atomic>
+#include <chrono>
+#include <ctime>
+#include <thread>
 
+#include "tests/run/program.hpp"
+#include "yardstick/bench.hpp"
+
+using namespace pulvis;
 using namespace pulvis::tests;
 
 namespace {
@@ -39,6 +46,20 @@ TEST(Bench, TimesEachSizeWithEachNumberOfThreads) {
       EXPECT_GT(row.at("bytes_per_parcel"), 200.0);
       EXPECT_GT(row.at("time_table_s").at("pairs"), 0.0);
     }
+}
+
+TEST(Bench, TimeOfOneThreadLeavesOutThoseThatSpin) {
+  const auto of_program = [] { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; };
+  const double own_before = yardstick::seconds_of_this_thread(), all_before = of_program();
+  std::atomic<bool> spin = true;
+  std::thread other([&] {
+    while (spin) {
+    }
+  });
+  while (of_program() - all_before < 0.2) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  spin = false;
+  other.join();
+  EXPECT_LT(yardstick::seconds_of_this_thread() - own_before, 0.1);
 }
 
 TEST(Bench, CanHaveAnotherLawTheLedgerOfEnergyAndLookAtEachStep) {
