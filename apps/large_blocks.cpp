@@ -16,11 +16,11 @@
 
 namespace {
 
-constexpr std::size_t page = std::size_t{2} << 20;
+constexpr std::size_t page = std::size_t{2} << 20, large = page / 2;
 
 // A threshold that is set does not grow, as glibc's own does with each block that is freed. Smaller blocks stay with us when
 // they are free: to get pages of 4 KiB from the system again at each rebuild of the lists takes longer than to write them.
-[[maybe_unused]] const int thresholds = mallopt(M_MMAP_THRESHOLD, static_cast<int>(page)) &
+[[maybe_unused]] const int thresholds = mallopt(M_MMAP_THRESHOLD, static_cast<int>(large)) &
                                         mallopt(M_TRIM_THRESHOLD, 16 * static_cast<int>(page));
 
 void* allocate(std::size_t size, std::size_t alignment) {
