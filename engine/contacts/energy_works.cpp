@@ -123,17 +123,12 @@ void EnergyWorks::stage_wall(const ContactView& view, std::uint32_t slot, std::u
   b.shared_spin[k] = 0.5 * dot(p.spin + pose.spin, half_normal);
   b.touching_before[k] = wall_touching_[source] ? 1.0 : 0.0;
   b.touching[k] = near.touching[slot] && !ends_all_ ? 1.0 : 0.0;
-  store(b.before.slide, k, wall_history_[source].slide);
-  store(b.before.roll, k, wall_history_[source].roll);
+  kernels::put_past(b.before, wall_memory_.used ? &b.memory_before : nullptr, k,
+                    past_at(wall_history_, wall_memory_, source));
   const Load& load = near.load[slot];
   const Vec3 rolling = load.torque - sight.distance * cross(normal, load.force);
   b.term[static_cast<std::size_t>(EnergyTerm::walls)][k] =
       b.touching[k] * (dot(load.force, wall_end) + dot(rolling, wall_spin_end)) * view.dt;
-  if (!wall_memory_.used) return;
-  const laws::Memory& memory = wall_memory_.list[source];
-  b.memory_before.plastic[k] = memory.plastic;
-  b.memory_before.adhesion[k] = memory.adhesion;
-  b.memory_before.grip[k] = memory.grip;
 }
 
 void EnergyWorks::walls(const ContactView& view, std::uint32_t parcel, Scratch& scratch) const {

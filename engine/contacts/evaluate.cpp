@@ -16,19 +16,11 @@ using kernels::store;
 void stage_history(ContactBlock& b, int k, std::uint32_t slot, const NearWalls& near) {
   b.slot[k] = slot;
   b.touching[k] = near.touching[slot] ? 1.0 : 0.0;
-  store(b.springs->slide, k, near.history[slot].slide);
-  store(b.springs->roll, k, near.history[slot].roll);
-  if (!near.memory.used) return;
-  const laws::Memory& memory = near.memory.list[slot];
-  b.memory->plastic[k] = memory.plastic;
-  b.memory->adhesion[k] = memory.adhesion;
-  b.memory->grip[k] = memory.grip;
+  kernels::put_past(*b.springs, b.memory, k, past_at(near.history, near.memory, slot));
 }
 void keep_history(const ContactBlock& b, int k, std::uint32_t slot, NearWalls& near) {
   near.touching[slot] = b.touching[k] > 0.5;
-  near.history[slot] = {load(b.springs->slide, k), load(b.springs->roll, k)};
-  if (near.memory.used)
-    near.memory.list[slot] = {b.memory->plastic[k], b.memory->adhesion[k], b.memory->grip[k]};
+  put_past_at(near.history, near.memory, slot, kernels::past_of(*b.springs, b.memory, k));
 }
 
 /// Evaluates `b.count` slots from `begin` on, which are one block of near pairs, where they stand. Pairs that do not

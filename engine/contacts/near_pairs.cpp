@@ -243,9 +243,7 @@ TouchingList NearPairs::pack(const Parcels& parcels, int threads) const {
         if (owned(k)) {
           const std::uint32_t slot = entry[k] >> 1;
           list.partner[at] = parcels.body[second[slot]].id;
-          const laws::Past past = pasts.of(slot);
-          if (pasts.remembers) list.memory.list[at] = {past.plastic, past.adhesion, past.grip};
-          list.history[at++] = {past.slide, past.roll};
+          put_past_at(list.history, list.memory, at++, pasts.of(slot));
         }
     }
   });
@@ -261,13 +259,8 @@ std::size_t NearPairs::restore(const TouchingList& list, std::span<const std::ui
   };
   std::vector<Found> found(static_cast<std::size_t>(std::max(threads, 1)));
   const auto put_back = [&](std::uint32_t slot, std::uint32_t at) {
-    laws::Past past{list.history[at].slide, list.history[at].roll};
-    if (pasts.remembers && list.memory.used) {
-      const laws::Memory& more = list.memory.list[at];
-      past.plastic = more.plastic, past.adhesion = more.adhesion, past.grip = more.grip;
-    }
     touching[slot] = 1;
-    set_past(slot, past);
+    set_past(slot, past_at(list.history, list.memory, at));
   };
   parallel_shares(count, threads, [&](std::size_t from, std::size_t to, int thread) {
     Found mine;

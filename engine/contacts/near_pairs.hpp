@@ -47,9 +47,7 @@ class NearPairs {
 
   std::size_t class_of(std::size_t group) const { return group % (group_begin.size() / 2); }
   bool are_apart(std::size_t group) const { return group >= group_begin.size() / 2; }
-  std::size_t first_apart() const {  ///< slot
-    return pasts.first_apart;
-  }
+  std::size_t first_apart() const { return pasts.first_apart; }  ///< slot
 
   /// End of the slots of a group that belong to the parcels up to `parcel` in the order of the store. A slot belongs to
   /// that of its two parcels which stands first.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "engine/laws/parts.hpp"
@@ -25,6 +26,21 @@ class Memories {
     if (used) list[at] = {};
   }
 };
+
+/// What the contact `at` remembers, all of it, where springs and memory are lists beside each other; and back.
+inline laws::Past past_at(std::span<const laws::History> history, const Memories& memory, std::size_t at) {
+  laws::Past past{history[at].slide, history[at].roll};
+  if (memory.used) {
+    const laws::Memory& more = memory.list[at];
+    past.plastic = more.plastic, past.adhesion = more.adhesion, past.grip = more.grip;
+  }
+  return past;
+}
+inline void put_past_at(std::span<laws::History> history, Memories& memory, std::size_t at,
+                        const laws::Past& past) {
+  history[at] = {past.slide, past.roll};
+  if (memory.used) memory.list[at] = {past.plastic, past.adhesion, past.grip};
+}
 
 /// The contacts that exist and what they remember, packed: how history crosses a rebuild of the lists, a
 /// snapshot, a restart. Grouped by owner (index of a parcel in the store), partners ascending within it.
