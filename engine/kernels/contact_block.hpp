@@ -9,7 +9,7 @@
 
 namespace pulvis::kernels {
 
-inline constexpr int block_size = 64;  // 64 contacts x about 59 numbers: 30 KiB, stays in the inner caches
+inline constexpr int block_size = 32;  // 32 contacts x about 65 numbers: 17 KiB, half of a small first cache
 
 using Lane = double[block_size];
 struct Lanes3 {

@@ -15,10 +15,10 @@ void add_exchange(ContactKernel& kernel);  // engine/kernels/exchange_kernels.cp
 
 static bool any_in_reach(const ContactBlock& b, double approach) {
   const int count = b.count;
-  int any = 0;
-#pragma omp simd reduction(| : any)
-  for (int k = 0; k < count; ++k) any |= (b.overlap[k] > -approach) | (b.touching[k] > 0.5);
-  return any != 0;
+  double any = 0.0;
+#pragma omp simd reduction(+ : any)
+  for (int k = 0; k < count; ++k) any += select((b.overlap[k] > -approach) | (b.touching[k] > 0.5), 1.0, 0.0);
+  return any != 0.0;
 }
 
 // --- one contact in its lane ------------------------------------------------------------------------------
@@ -129,17 +129,38 @@ PULVIS_INLINE void evaluate_cohesion(ContactBlock& b, int k, const typename Part
   if constexpr (Part::is_viscous) b.drag[k] = a.viscous_tangential;
 }
 
+/// Parts that say what a spring would be without its limit, `trial`, and then limit it get a loop for each: a loop with a long
+/// chain of operations leaves the processor waiting, since it has no room for many contacts at a time.
+template <class Part>
+concept SlidesInTwoSteps = requires(const laws::Touch& touch, const Vec3& v) {
+  Part::trial(touch, v, v);
+};
+template <class Part>
+concept RollsInTwoSteps = requires(const laws::Touch& touch, const Vec3& v, const typename Part::Pair& pair) {
+  Part::trial(touch, 0.0, pair, v);
+};
+
+template <class Part>
+PULVIS_INLINE void try_sliding(ContactBlock& b, int k, double dt) {
+  laws::Touch touch;
+  look(b, k, dt, touch);
+  store(b.springs->slide, k, Part::trial(touch, load(b.slip, k), load(b.springs->slide, k)));
+}
+
 /// Also puts the forces together, and the torques they exert about the centres.
 template <class Part>
 PULVIS_INLINE void evaluate_sliding(ContactBlock& b, int k, const typename Part::Pair& pair, double dt) {
   laws::Touch touch;
   look(b, k, dt, touch);
-  Vec3 spring = load(b.springs->slide, k);
+  Vec3 spring = load(b.springs->slide, k), tangential;
   double grip = 0.0;
   if constexpr (Part::remembers_grip) grip = b.memory->grip[k];
-  const double size = b.contact_size[k];
-  const Vec3 tangential = Part::slide(touch, load(b.slip, k), size, magnitude(b.limiting_force[k]),
-                                      b.tangential_damping[k], pair, spring, grip);
+  const double size = b.contact_size[k], limit = magnitude(b.limiting_force[k]);
+  if constexpr (SlidesInTwoSteps<Part>)
+    tangential = Part::limited(touch, load(b.slip, k), size, limit, b.tangential_damping[k], pair, spring);
+  else
+    tangential =
+        Part::slide(touch, load(b.slip, k), size, limit, b.tangential_damping[k], pair, spring, grip);
   const double touching = b.touching[k], held = select(size > 0.0, touching, 0.0);
   store(b.springs->slide, k, held * spring);
   if constexpr (Part::remembers_grip) b.memory->grip[k] = held * grip;
@@ -147,6 +168,25 @@ PULVIS_INLINE void evaluate_sliding(ContactBlock& b, int k, const typename Part:
   const Vec3 moment = cross(touch.normal, touching * tangential);
   store(b.torque_first, k, b.arm_first[k] * moment);
   store(b.torque_second, k, b.arm_second[k] * moment);
+}
+
+template <class Rolling>
+PULVIS_INLINE void try_rolling(ContactBlock& b, int k, const typename Rolling::Pair& rolling, double dt) {
+  laws::Touch touch;
+  look(b, k, dt, touch);
+  store(b.springs->roll, k, Rolling::trial(touch, b.contact_size[k], rolling, load(b.springs->roll, k)));
+}
+
+template <class Rolling>
+PULVIS_INLINE void limit_rolling(ContactBlock& b, int k, const typename Rolling::Pair& rolling, double dt) {
+  laws::Touch touch;
+  look(b, k, dt, touch);
+  const double limit = magnitude(b.limiting_force[k]);
+  const double held = select(b.contact_size[k] > 0.0, touch.was_touching, 0.0);
+  const Vec3 acting = held * Rolling::limited(touch, limit, rolling, load(b.springs->roll, k));
+  store(b.springs->roll, k, acting);
+  store(b.torque_first, k, load(b.torque_first, k) + acting);
+  store(b.torque_second, k, load(b.torque_second, k) - acting);
 }
 
 template <class Rolling, class Twisting>
@@ -253,6 +293,10 @@ template <class Part>
 static void sliding_stage(ContactBlock& b, const double* constants, double dt) {
   const auto pair = laws::unpack<typename Part::Pair>(constants, laws::Place::sliding);
   const int count = b.count;
+  if constexpr (SlidesInTwoSteps<Part>) {
+#pragma omp simd
+    for (int k = 0; k < count; ++k) try_sliding<Part>(b, k, dt);
+  }
 #pragma omp simd
   for (int k = 0; k < count; ++k) evaluate_sliding<Part>(b, k, pair, dt);
 }
@@ -262,6 +306,13 @@ static void rolling_stage(ContactBlock& b, const double* constants, double dt) {
   const auto rolling = laws::unpack<typename Rolling::Pair>(constants, laws::Place::rolling);
   const auto twisting = laws::unpack<typename Twisting::Pair>(constants, laws::Place::twisting);
   const int count = b.count;
+  if constexpr (RollsInTwoSteps<Rolling> && !Twisting::acts) {
+#pragma omp simd
+    for (int k = 0; k < count; ++k) try_rolling<Rolling>(b, k, rolling, dt);
+#pragma omp simd
+    for (int k = 0; k < count; ++k) limit_rolling<Rolling>(b, k, rolling, dt);
+    return;
+  }
 #pragma omp simd
   for (int k = 0; k < count; ++k) evaluate_rolling<Rolling, Twisting>(b, k, rolling, twisting, dt);
 }

@@ -106,18 +106,18 @@ static int glance(const PairsApart& given, const Parcel* parcels, const Images& 
     for (int k = 0; k < pairs.count; ++k) store(b.offset, k, images.slide(load(b.offset, k)));
   const NearestImage nearest = images.periods;
   alignas(64) Lane is_met;
-  int any = 0;
-#pragma omp simd reduction(| : any)
+  double any = 0.0;
+#pragma omp simd reduction(+ : any)
   for (int k = 0; k < pairs.count; ++k) {
     const Vec3 offset = nearest(load(b.offset, k));
     const double reach = roundings * (b.radii[k] + approach);
-    const bool near = dot(offset, offset) < reach * reach;
-    is_met[k] = near ? 1.0 : 0.0;
-    any |= near;
+    const double near = select(dot(offset, offset) < reach * reach, 1.0, 0.0);
+    is_met[k] = near;
+    any += near;
   }
   std::uint8_t held = 0;
   for (int k = 0; k < pairs.count; ++k) held |= pairs.touching[k];
-  if (any == 0 && held == 0) return 0;
+  if (any == 0.0 && held == 0) return 0;
   int count = 0;
   for (int k = 0; k < pairs.count;
        ++k) {  // each is written and most are overwritten: nobody can guess which are met

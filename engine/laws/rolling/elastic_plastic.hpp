@@ -41,16 +41,24 @@ struct ElasticPlastic {
     return pair.stiffness * contact_size * square(radius);
   }
 
-  /// Torque on the first, N m; `spring` is the part of it that is remembered, before and after.
-  PULVIS_INLINE static Vec3 roll(const Touch& touch, double contact_size, double limiting_force,
-                                 const Pair& pair, Vec3& spring) {
+  /// The torque as it would be without the limit, N m.
+  PULVIS_INLINE static Vec3 trial(const Touch& touch, double contact_size, const Pair& pair,
+                                  const Vec3& spring) {
     const double stiffness = pair.stiffness * contact_size * square(touch.radius);
     const Vec3 spin = in_plane(touch.spin, touch.half_normal);
     const Vec3 moved = carried_to_middle(spring, touch) - (stiffness * touch.dt) * spin;
-    const Vec3 torque = in_plane(moved, touch.normal);
+    return in_plane(moved, touch.normal);
+  }
+  PULVIS_INLINE static Vec3 limited(const Touch& touch, double limiting_force, const Pair& pair,
+                                    const Vec3& torque) {
     const double size = norm(torque);
     const double limit = pair.friction * touch.radius * limiting_force;
-    spring = select(size > limit, limit / greatest(size, 1e-300), 1.0) * torque;
+    return select(size > limit, limit / greatest(size, 1e-300), 1.0) * torque;
+  }
+  /// Torque on the first, N m; `spring` is the part of it that is remembered, before and after.
+  PULVIS_INLINE static Vec3 roll(const Touch& touch, double contact_size, double limiting_force,
+                                 const Pair& pair, Vec3& spring) {
+    spring = limited(touch, limiting_force, pair, trial(touch, contact_size, pair, spring));
     return spring;
   }
 };

@@ -46,12 +46,14 @@ struct TotalSpring {
     return pair.stiffness * contact_size;
   }
 
-  /// Force on the first, N; `xi` is the spring, m, before and after.
-  PULVIS_INLINE static Vec3 slide(const Touch& touch, const Vec3& slip_velocity, double contact_size,
-                                  double limiting_force, double dashpot, const Pair& pair, Vec3& xi,
-                                  double& /*grip*/) {
-    const Vec3 moved = carried_to_middle(xi, touch) + touch.dt * slip_velocity;
-    const Vec3 spring = in_plane(moved, touch.normal);
+  /// The spring as it would be without the limit, m.
+  PULVIS_INLINE static Vec3 trial(const Touch& touch, const Vec3& slip_velocity, const Vec3& xi) {
+    return in_plane(carried_to_middle(xi, touch) + touch.dt * slip_velocity, touch.normal);
+  }
+  /// Force on the first, N; `xi` is the spring, m, before and after the limit.
+  PULVIS_INLINE static Vec3 limited(const Touch& touch, const Vec3& slip_velocity, double contact_size,
+                                    double limiting_force, double dashpot, const Pair& pair, Vec3& xi) {
+    const Vec3 spring = xi;
     const double stiffness = pair.stiffness * contact_size;
     const double trial = stiffness * norm(spring);
     const double limit = pair.friction * limiting_force;
@@ -60,6 +62,13 @@ struct TotalSpring {
     const double damping = select(slips, 0.0, dashpot);
     xi = scale * spring;
     return -(stiffness * xi) - damping * in_plane(slip_velocity, touch.normal);
+  }
+  /// Force on the first, N; `xi` is the spring, m, before and after.
+  PULVIS_INLINE static Vec3 slide(const Touch& touch, const Vec3& slip_velocity, double contact_size,
+                                  double limiting_force, double dashpot, const Pair& pair, Vec3& xi,
+                                  double& /*grip*/) {
+    xi = trial(touch, slip_velocity, xi);
+    return limited(touch, slip_velocity, contact_size, limiting_force, dashpot, pair, xi);
   }
 };
 
