@@ -91,13 +91,15 @@ struct Bed {
     box.max = edge * spacing * Vec3{1.0, 1.0, 1.0};
     box.periodic[0] = box.periodic[1] = box.periodic[2] = true;
     find();
-    walls.rebuild(parcels, no_walls, {}, margin, {}, 0.0, 1);
+    walls.rebuild({parcels, no_walls, {}, margin, crowd, {}, {}, 0.0, 0.0}, 1);
   }
   void find() { pairs.rebuild({parcels, classes, margin, 0.0, box, {}}, 1); }
 
   Parcels parcels = lattice(edge);
   std::vector<double> margin = std::vector<double>(parcels.size(), 0.05 * radius);
   std::vector<Vec3> reference = std::vector<Vec3>(parcels.size());
+  std::vector<std::uint8_t> crowd = std::vector<std::uint8_t>(parcels.size(), 0);
+  Leeway leeway() { return {reference.data(), margin.data(), crowd.data()}; }
   ContactClasses classes{1};
   Box box;
   Walls no_walls;
@@ -141,8 +143,7 @@ void sweep_over_pairs(benchmark::State& state, bool without_law) {
   ContactEvaluator evaluator(1, 1, 0.0);
   const Images images = Images::of(bed.box, 0.0);
   for (auto _ : state)
-    sweep({bed.parcels, bed.pairs, bed.walls, evaluator, classes, images, bed.reference, bed.margin},
-          {{}, dt}, nullptr);
+    sweep({bed.parcels, bed.pairs, bed.walls, evaluator, classes, images, bed.leeway()}, {{}, dt}, nullptr);
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(bed.parcels.size()));
 }
 

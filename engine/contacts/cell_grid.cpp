@@ -40,6 +40,27 @@ std::pair<int, int> CellGrid::cells_along(const Slide& slide, const int (&at)[3]
   return {((first % all) + all) % all, shift == 0.0 ? 3 : 4};
 }
 
+CellGrid::Along CellGrid::cells_within(int axis, int c, double reach) const {
+  const int far = std::min(farthest, static_cast<int>(std::ceil(reach * inverse_edge_[axis])));
+  const int all = cells_[axis];
+  Along along;
+  const auto put = [&](int k) {
+    const int off = std::abs(k - c);
+    along.cell[along.count] = k;
+    along.near[along.count++] = off <= 1 || (periodic_[axis] && off == all - 1);
+  };
+  if (2 * far + 1 >= all)
+    for (int k = 0; k < all; ++k) put(k);
+  else
+    for (int k = c - far; k <= c + far; ++k) {
+      if (k >= 0 && k < all)
+        put(k);
+      else if (periodic_[axis])
+        put((k + all) % all);
+    }
+  return along;
+}
+
 void CellGrid::sort_into_cells(std::size_t count) {
   const std::size_t cell_count = nx() * ny() * static_cast<std::size_t>(cells_[2]);
   begin_.assign(cell_count + 1, 0);

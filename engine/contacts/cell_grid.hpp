@@ -19,11 +19,12 @@ class CellGrid {
   void build(const Box& box, double edge, std::size_t count, Position&& position) {
     lay_out(box, edge, count);
     cell_of_.resize(count);
-    for (std::size_t k = 0; k < count; ++k) cell_of_[k] = cell(position(k));
+    for (std::size_t k = 0; k < count; ++k) cell_of_[k] = static_cast<std::uint32_t>(cell(position(k)));
     sort_into_cells(count);
   }
 
   int cells(int axis) const { return cells_[axis]; }
+  std::size_t cell_at(const Vec3& place) const { return cell(place); }
   std::size_t cell_of(std::size_t point) const { return cell_of_[point]; }
   /// Points in order of their cells; those of cell c are [begin(c), begin(c + 1)).
   std::span<const std::uint32_t> order() const { return order_; }
@@ -41,6 +42,33 @@ class CellGrid {
         visit_row((static_cast<std::size_t>(zs[iz]) * ny() + static_cast<std::size_t>(ys[iy])) * nx(), cx,
                   visit);
   }
+
+  /// The same for what is not near cell `c` but within `reach` m of it.
+  template <class Visit>
+  void for_ranges_beyond(std::size_t c, double reach, Visit&& visit) const {
+    const int at[3] = {static_cast<int>(c % nx()), static_cast<int>(c / nx() % ny()),
+                       static_cast<int>(c / (nx() * ny()))};
+    Along along[3];
+    for (int axis = 0; axis < 3; ++axis) along[axis] = cells_within(axis, at[axis], reach);
+    for (int iz = 0; iz < along[2].count; ++iz)
+      for (int iy = 0; iy < along[1].count; ++iy) {
+        const std::size_t row = (static_cast<std::size_t>(along[2].cell[iz]) * ny() +
+                                 static_cast<std::size_t>(along[1].cell[iy])) *
+                                nx();
+        const bool near_row = along[2].near[iz] && along[1].near[iy];
+        for (int from = 0, to = 0; from < along[0].count;
+             from = to) {  // cells that follow each other at once
+          const auto left_out = [&](int k) { return near_row && along[0].near[k]; };
+          to = from + 1;
+          if (left_out(from)) continue;
+          while (to < along[0].count && !left_out(to) && along[0].cell[to] == along[0].cell[to - 1] + 1) ++to;
+          visit(begin_[row + static_cast<std::size_t>(along[0].cell[from])],
+                begin_[row + static_cast<std::size_t>(along[0].cell[to - 1]) + 1]);
+        }
+      }
+  }
+  static constexpr int farthest =
+      7;  ///< cells that for_ranges_beyond goes at most: `reach` is up to so many edges
 
   /// The same in a box whose faces slide: what is near across one lies along the flow axis by the shift.
   template <class Visit>
@@ -72,6 +100,13 @@ class CellGrid {
   std::size_t nx() const { return static_cast<std::size_t>(cells_[0]); }
   std::size_t ny() const { return static_cast<std::size_t>(cells_[1]); }
 
+  /// Cells along an axis, each once, and whether each is one of `neighbours`.
+  struct Along {
+    int count = 0;
+    int cell[2 * farthest + 1];
+    bool near[2 * farthest + 1];
+  };
+  Along cells_within(int axis, int c, double reach) const;
   void lay_out(const Box& box, double edge, std::size_t count);
   void sort_into_cells(std::size_t count);
   std::size_t cell(const Vec3& p) const;
@@ -112,8 +147,7 @@ class CellGrid {
   Vec3 origin_, inverse_edge_;
   int cells_[3] = {1, 1, 1};
   bool periodic_[3] = {false, false, false};
-  std::vector<std::size_t> cell_of_;
-  std::vector<std::uint32_t> begin_, order_;
+  std::vector<std::uint32_t> cell_of_, begin_, order_;
 };
 
 }  // namespace pulvis

@@ -58,17 +58,21 @@ void EnergyWorks::stage_pair(const ContactView& view, std::size_t slot, EnergyBl
 
 void EnergyWorks::pairs(const ContactView& view, std::size_t from, std::size_t to, Scratch& scratch) const {
   const NearPairs& near = view.near_pairs;
+  const auto stage = [&](std::size_t slot, std::size_t c) {
+    if (!touching_[slot] && !near.touching[slot]) return;
+    stage_pair(view, slot, scratch.block[c]);
+    if (scratch.block[c].count == kernels::block_size) flush(view, c, false, scratch);
+  };
   for (std::size_t group = 0; group < near.group_begin.size(); ++group) {
     const std::size_t c = near.class_of(group);
-    EnergyBlock& b = scratch.block[c];
     for (std::size_t slot = std::max(from, near.group_begin[group]);
-         slot < std::min(to, near.group_end[group]); ++slot) {
-      if (!touching_[slot] && !near.touching[slot]) continue;
-      stage_pair(view, slot, b);
-      if (b.count == kernels::block_size) flush(view, c, false, scratch);
-    }
-    flush(view, c, false, scratch);
+         slot < std::min(to, near.group_end[group]); ++slot)
+      stage(slot, c);
   }
+  for (std::size_t slot = std::max(from, near.first_late()); slot < to; ++slot)
+    stage(slot, view.classes.index(view.parcels.body[near.first[slot]].species,
+                                   view.parcels.body[near.second[slot]].species));
+  for (std::size_t c = 0; c < scratch.block.size(); ++c) flush(view, c, false, scratch);
 }
 
 /// A contact on an edge may be handed over to the next surface of the same body, with what it remembers: finds, for

@@ -148,17 +148,29 @@ ContactEvaluator::ContactEvaluator(int most_threads, std::size_t classes, double
   for (auto& s : scratch_) s.block.resize(classes), s.cursors.resize(2 * classes);
 }
 
-Load ContactEvaluator::sum_all(const NearPairs& near, std::size_t parcel) {
+Load ContactEvaluator::sum_all(const NearPairs& near, const Parcels& parcels, std::uint32_t parcel) {
   Load sum;
-  for (std::uint32_t k = near.begin[parcel]; k < near.begin[parcel + 1]; ++k) {
-    const std::size_t slot = near.entry[k] >> 1;
-    if (!near.touching[slot]) continue;
+  const auto add = [&](std::uint32_t entry) {
+    const std::size_t slot = entry >> 1;
+    if (!near.touching[slot]) return;
     const PairLoad& load =
         slot < near.first_apart() ? near.load[near.place[slot]] : near.pasts.met_at(slot)->load;
-    const bool is_second = near.entry[k] & 1u;
+    const bool is_second = entry & 1u;
     sum.force += is_second ? -load.force : load.force;
     sum.torque += is_second ? load.torque_second : load.torque_first;
+  };
+  auto late = near.waiting_of(parcel);
+  for (std::uint32_t k = near.begin[parcel]; k < near.begin[parcel + 1]; ++k) {
+    const std::uint32_t slot = near.entry[k] >> 1;
+    for (; !late.empty(); late = late.subspan(1)) {
+      if (parcels.body[near.entry[k] & 1u ? near.first[slot] : near.second[slot]].id <
+          late.front().partner_id)
+        break;
+      add(late.front().entry);
+    }
+    add(near.entry[k]);
   }
+  for (const auto& waiting : late) add(waiting.entry);
   return sum;
 }
 
@@ -173,23 +185,56 @@ void ContactEvaluator::pairs_close(NearPairs& near, std::size_t from, std::size_
   }
 }
 
-void ContactEvaluator::pairs_apart(NearPairs& near, std::size_t from, std::size_t to,
-                                   const StepOfPairs& step) {
+Meeting& ContactEvaluator::meeting(const StepOfPairs& step) {
   Meeting& meeting = scratch_[static_cast<std::size_t>(step.part)].meeting;
   meeting.block.period = step.images.periods.length;
   meeting.block.slide = step.images.slide;
-  std::uint8_t found[kernels::block_size];
+  return meeting;
+}
+
+/// Calls found(slot) for those of the slots [begin, begin + count), up to a block, that touch or may.
+template <class Found>
+void ContactEvaluator::glance(const NearPairs& near, std::size_t begin, int count, const StepOfPairs& step,
+                              Found&& found) const {
+  std::uint8_t met[kernels::block_size];
+  const int n = step.contact.kernel.glance(
+      {count, &near.first[begin], &near.second[begin], &near.touching[begin], near.ahead_of(begin)},
+      step.parcels.body.data(), step.images, approach_, met);
+  for (int k = 0; k < n; ++k) found(static_cast<std::uint32_t>(begin + met[k]));
+}
+
+void ContactEvaluator::pairs_apart(NearPairs& near, std::size_t from, std::size_t to,
+                                   const StepOfPairs& step) {
+  Meeting& together = meeting(step);
   for (std::size_t begin = from; begin < to; begin += kernels::block_size) {
     const int count = static_cast<int>(std::min<std::size_t>(kernels::block_size, to - begin));
-    const int n = step.contact.kernel.glance(
-        {count, &near.first[begin], &near.second[begin], &near.touching[begin], near.ahead_of(begin)},
-        step.parcels.body.data(), step.images, approach_, found);
-    for (int k = 0; k < n; ++k) {
-      stage_pair(meeting, static_cast<std::uint32_t>(begin + found[k]), near);
-      if (meeting.block.count == kernels::block_size) finish_pairs(meeting, near, step);
-    }
+    glance(near, begin, count, step, [&](std::uint32_t slot) {
+      stage_pair(together, slot, near);
+      if (together.block.count == kernels::block_size) finish_pairs(together, near, step);
+    });
   }
-  if (meeting.block.count > 0) finish_pairs(meeting, near, step);
+  if (together.block.count > 0) finish_pairs(together, near, step);
+}
+
+void ContactEvaluator::pairs_late(NearPairs& near, const ContactClasses& classes, const StepOfPairs& step) {
+  Meeting& together = meeting(step);
+  const ContactClass* contact = &step.contact;
+  const auto finish = [&] {
+    if (together.block.count > 0)
+      finish_pairs(together, near, {step.parcels, *contact, step.images, step.dt, step.part});
+  };
+  for (std::size_t begin = near.first_late(); begin < near.slots(); begin += kernels::block_size) {
+    if (near.part_of(begin) != step.part) continue;
+    const int count = static_cast<int>(std::min<std::size_t>(kernels::block_size, near.slots() - begin));
+    glance(near, begin, count, step, [&](std::uint32_t slot) {
+      const ContactClass* own = &classes.all()[classes.index(step.parcels.body[near.first[slot]].species,
+                                                             step.parcels.body[near.second[slot]].species)];
+      if (own != contact || together.block.count == kernels::block_size) finish();
+      contact = own;
+      stage_pair(together, slot, near);
+    });
+  }
+  finish();
 }
 
 /// Looks at every surface near parcel `i` and gives each contact on a shared edge to one of them. A contact

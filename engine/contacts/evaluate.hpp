@@ -46,12 +46,14 @@ class ContactEvaluator {
   void pairs_close(NearPairs& near, std::size_t from, std::size_t to, const StepOfPairs& step);
   /// Those of pairs apart that meet, brought together.
   void pairs_apart(NearPairs& near, std::size_t from, std::size_t to, const StepOfPairs& step);
+  /// Those of pairs that were listed late, which can be of any class; those that belong to the part.
+  void pairs_late(NearPairs& near, const ContactClasses& classes, const StepOfPairs& step);
   /// What pairs do to some parcels, but for those apart; and what all near pairs do to one.
   void sum_close(const NearPairs& near, const kernels::SomeParcels& some, Load* sum) const {
     parcel_kernel_.sum_of_pairs({near.load.data(), near.summand_begin.data(), near.summand.data()}, some,
                                 sum);
   }
-  static Load sum_all(const NearPairs& near, std::size_t parcel);
+  static Load sum_all(const NearPairs& near, const Parcels& parcels, std::uint32_t parcel);
   /// Takes parcels from the end of one step to the middle of the next.
   kernels::MoveParcels move() const { return parcel_kernel_.move; }
   /// How far a part of the work is in the slots of each group: for whoever leads it.
@@ -70,6 +72,10 @@ class ContactEvaluator {
     std::vector<WallSight> sights;     ///< of one parcel, per slot
     std::vector<std::uint32_t> owner;  ///< of one parcel, per slot: see settle_edges
   };
+  Meeting& meeting(const StepOfPairs& step);
+  template <class Found>
+  void glance(const NearPairs& near, std::size_t begin, int count, const StepOfPairs& step,
+              Found&& found) const;
   void settle_edges(NearWalls& near, std::uint32_t parcel, const Parcel& p, const Walls& walls,
                     std::span<const Pose> poses, Scratch& scratch) const;
 

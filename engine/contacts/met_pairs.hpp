@@ -18,11 +18,14 @@ class MetPairs {
     kernels::PairLoad load;
   };
 
-  /// Forgets all; there are `pairs` that could meet.
-  void reset(std::size_t pairs, int parts) {
+  /// Forgets all; there are `pairs` that could meet, and soon perhaps `more`.
+  void reset(std::size_t pairs, int parts, std::size_t more = 0) {
+    number_.reserve(pairs + more);
     number_.assign(pairs, 0);
     parts_.assign(static_cast<std::size_t>(parts), {});
   }
+  /// Makes room for more pairs behind those that are there.
+  void add(std::size_t pairs) { number_.resize(number_.size() + pairs, 0); }
   /// The contact of a pair, or null where there is none.
   const Contact* find(std::size_t pair) const {
     const std::size_t n = number_[pair];
@@ -52,6 +55,9 @@ class MetPairs {
   };
   std::uint32_t new_number(Part& own, std::size_t part) {
     if (own.free.empty()) {
+      // By an eighth, not to twice as much: they are large.
+      if (own.contacts.size() == own.contacts.capacity())
+        own.contacts.reserve(own.contacts.size() + own.contacts.size() / 8 + 64);
       own.contacts.emplace_back();
       return static_cast<std::uint32_t>((own.contacts.size() - 1) * parts_.size() + part + 1);
     }
@@ -74,12 +80,12 @@ struct Pasts {
   std::vector<kernels::MemoryLanes> memory;  ///< the same; empty unless `remembers`
   MetPairs met;                              ///< from first_apart on
 
-  void reset(std::size_t close, std::size_t apart, int parts) {
+  void reset(std::size_t close, std::size_t apart, std::size_t more, int parts) {
     constexpr std::size_t block = kernels::block_size;
     first_apart = close;
     springs.assign((close + block - 1) / block, {});
     memory.assign(remembers ? springs.size() : 0, {});
-    met.reset(apart, parts);
+    met.reset(apart, parts, more);
   }
   /// The contact of a pair apart that has met, or null.
   const MetPairs::Contact* met_at(std::size_t slot) const { return met.find(slot - first_apart); }

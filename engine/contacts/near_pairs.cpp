@@ -12,9 +12,11 @@ namespace pulvis {
 void NearPairs::rebuild(const PairSearch& wanted, int threads) {
   const std::vector<FoundPair> pairs = find_pairs(wanted, threads);
   assign_slots(wanted.parcels, wanted.classes.all().size(), pairs, threads);
+  first_late_ = slots();
+  waiting_.clear();
   divide(threads);
   const std::size_t close = group_begin.empty() ? 0 : group_begin[group_begin.size() / 2];
-  pasts.reset(close, slots() - close, shares_);
+  pasts.reset(close, slots() - close, first.capacity() - slots(), shares_);
   assign_places();
   keep_forces(false);
   meets.assign(wanted.parcels.size(), 0);
@@ -119,6 +121,8 @@ void NearPairs::list_summands() {
 }
 
 int NearPairs::part_of(std::size_t slot) const {
+  if (slot >= first_late_)
+    return static_cast<int>((slot - first_late_) / kernels::block_size % static_cast<std::size_t>(shares_));
   int part = 0;
   while (owner_of_block(slot) >= share(part).second) ++part;
   return part;
@@ -165,12 +169,18 @@ std::vector<NearPairs::Listed> NearPairs::list_pairs(const Parcels& parcels, std
 std::size_t NearPairs::count_slots(std::size_t class_count, std::span<const FoundPair> pairs,
                                    std::span<const Listed> listed, int threads) {
   const std::size_t count = begin.size() - 1, group_count = 2 * class_count;
-  own_end_.assign(group_count * count, 0);
+  std::vector<std::size_t> in_group(group_count, 0);
+  for (const FoundPair& p : pairs) ++in_group[p.group];
+  row_.assign(group_count, 0);
+  std::size_t rows = 0;
+  for (std::size_t g = 0; g < group_count; ++g)
+    if (in_group[g] > 0) row_[g] = rows++ * count;
+  own_end_.assign(rows * count, 0);
   parallel_shares(count, threads, [&](std::size_t from, std::size_t to, int) {
     for (std::size_t i = from; i < to; ++i)
       for (std::uint32_t k = begin[i]; k < begin[i + 1]; ++k)
         if (const FoundPair& p = pairs[listed[k].pair]; std::min(p.first, p.second) == i)
-          ++own_end_[p.group * count + i];
+          ++own_end_[row_[p.group] + i];
   });
   std::size_t total = 0;
   group_begin.assign(group_count, 0);
@@ -179,7 +189,7 @@ std::size_t NearPairs::count_slots(std::size_t class_count, std::span<const Foun
     constexpr std::size_t block = kernels::block_size;
     total = (total + block - 1) / block * block;
     group_begin[g] = total;
-    for (std::size_t i = g * count; i < (g + 1) * count; ++i) {
+    for (std::size_t i = row_[g]; in_group[g] > 0 && i < row_[g] + count; ++i) {
       const std::uint32_t own = own_end_[i];
       own_end_[i] = static_cast<std::uint32_t>(total);
       total += own;
@@ -196,6 +206,8 @@ void NearPairs::assign_slots(const Parcels& parcels, std::size_t class_count,
     throw Failure(Exit::physics, "about 2^31 pairs of parcels are near; that is too many");
   const std::vector<Listed> listed = list_pairs(parcels, pairs, threads);
   const std::size_t count = parcels.size(), slot_count = count_slots(class_count, pairs, listed, threads);
+  const std::size_t room = slot_count + slot_count / 32 + 64;  // for those that come late
+  first.reserve(room), second.reserve(room), touching.reserve(room);
   first.assign(slot_count, 0);
   second.assign(slot_count, 0);
   touching.assign(slot_count, 0);
@@ -212,7 +224,7 @@ void NearPairs::assign_slots(const Parcels& parcels, std::size_t class_count,
           std::uint32_t& slot = slot_of[listed[k].pair];
           const bool is_second = parcels.body[i].id > listed[k].partner_id;
           if (owners) {
-            slot = own_end_[p.group * count + i]++;
+            slot = own_end_[row_[p.group] + i]++;
             first[slot] = is_second ? partner : own;
             second[slot] = is_second ? own : partner;
           }
@@ -222,6 +234,9 @@ void NearPairs::assign_slots(const Parcels& parcels, std::size_t class_count,
 }
 
 TouchingList NearPairs::pack(const Parcels& parcels, int threads) const {
+  if (!waiting_.empty())
+    throw Failure(Exit::internal_check,
+                  "contacts were asked for while some of them still wait for their place");
   const std::size_t count = begin.empty() ? 0 : begin.size() - 1;
   TouchingList list;
   list.begin.assign(count + 1, 0);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 #include <algorithm>
+#include <compare>
 #include <cstdint>
 #include <span>
 #include <utility>
@@ -20,7 +21,8 @@ using kernels::PairLoad;
 /// slots, sorted by the partner's id, so that sums run in the same order whatever the lists contain besides. Slots of one
 /// group lie together and each group begins a new block of the kernels; slots that only fill a block up belong to no entry
 /// and never touch. A contact class has two groups: pairs that touched or nearly did when the lists were made, whose blocks
-/// are evaluated where they stand, and pairs apart, of which most need no more than a look at their distance.
+/// are evaluated where they stand, and pairs apart, of which most need no more than a look at their distance. Pairs that come
+/// near before the lists are made again are added behind, in no block of their own: few, apart, of any class.
 class NearPairs {
  public:
   static constexpr std::uint32_t no_parcel = 0xffffffffu;
@@ -29,6 +31,20 @@ class NearPairs {
 
   /// Lists the pairs that are near now. Forgets all contacts: see `restore`.
   void rebuild(const PairSearch& wanted, int threads);
+
+  /// Lists pairs besides (indices in the store), those not listed yet: apart, in slots behind all others and in no group.
+  /// Their entries wait until `settle_late`, which costs a pass over all; after a whole step none wait.
+  void add(std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs, const Parcels& parcels);
+  void settle_late(const Parcels& parcels);
+  /// Whether so many more can be added without moving what is listed.
+  bool has_room_for(std::size_t pairs) const { return first.size() + pairs <= first.capacity(); }
+  /// An entry that will be one of a parcel's.
+  struct Waiting {
+    std::uint32_t parcel, partner_id, entry;
+    friend auto operator<=>(const Waiting&, const Waiting&) = default;
+  };
+  /// Those of a parcel, partners' ids ascending.
+  std::span<const Waiting> waiting_of(std::uint32_t parcel) const;
 
   /// The contacts that touch now.
   TouchingList pack(const Parcels& parcels, int threads) const;
@@ -48,12 +64,14 @@ class NearPairs {
   std::size_t class_of(std::size_t group) const { return group % (group_begin.size() / 2); }
   bool are_apart(std::size_t group) const { return group >= group_begin.size() / 2; }
   std::size_t first_apart() const { return pasts.first_apart; }  ///< slot
+  std::size_t first_late() const { return first_late_; }         ///< slot
 
   /// End of the slots of a group that belong to the parcels up to `parcel` in the order of the store. A slot belongs to
   /// that of its two parcels which stands first.
   std::size_t slot_end(std::size_t group, std::size_t parcel) const {
-    return own_end_[group * (begin.size() - 1) + parcel];
+    return is_empty(group) ? group_begin[group] : own_end_[row_[group] + parcel];
   }
+  bool is_empty(std::size_t group) const { return group_begin[group] == group_end[group]; }
   /// The first block that begins with a slot of `parcel` or of one behind it.
   std::size_t first_block(std::size_t group, std::size_t parcel) const {
     constexpr std::size_t block = kernels::block_size;
@@ -79,7 +97,7 @@ class NearPairs {
   /// Sets what a contact remembers. Those of pairs apart must be set by one thread at a time.
   void set_past(std::size_t slot, const laws::Past& past);
 
-  /// Goes through the share `part` as every step does: calls `slots(group, from, to)` for the slots, whole blocks of 64
+  /// Goes through the share `part` as every step does: calls `slots(group, from, to)` for the slots, whole blocks
   /// of a group, that parcels need before `parcels(from, to)` is called for them. `cursors`: one per group.
   template <class Slots, class OfParcels>
   void go_through(int part, std::vector<std::size_t>& cursors, Slots&& slots, OfParcels&& parcels) const {
@@ -140,6 +158,7 @@ class NearPairs {
     std::uint32_t pair;
     std::uint32_t partner_id;
   };
+  bool is_listed(std::uint32_t i, std::uint32_t j) const;
   std::vector<Listed> list_pairs(const Parcels& parcels, std::span<const FoundPair> pairs, int threads);
   void assign_slots(const Parcels& parcels, std::size_t class_count, std::span<const FoundPair> pairs,
                     int threads);
@@ -151,7 +170,10 @@ class NearPairs {
   void list_summands();
   std::uint32_t number_places(int part);
 
-  std::vector<std::uint32_t> own_end_;  ///< [group * parcels + parcel]
+  std::vector<std::uint32_t> own_end_;  ///< [row_[group] + parcel], of groups that have slots
+  std::vector<std::size_t> row_;
+  std::size_t first_late_ = 0;
+  std::vector<Waiting> waiting_;
   int shares_ = 1;
   bool forces_kept_ = false;
   std::vector<std::uint8_t> divided_;

@@ -20,63 +20,84 @@ struct NearFacet {
   std::uint32_t patch, triangle;
 };
 
-void find_shapes(const Walls& walls, std::span<const Pose> poses, const Vec3& position, double far,
-                 std::span<const double> body_margin, Found& found) {
-  for (std::uint32_t s = 0; s < walls.surfaces.size(); ++s) {
-    const Surface& surface = walls.surfaces[s];
-    if (surface.kind == Surface::Kind::patch || poses[surface.body].absent) continue;
-    const double reach = far + body_margin[surface.body];
-    const Vec3 at = poses[surface.body].now.back(position);
-    const Vec3 d = nearest_point(surface, at).point - at;
-    if (!(dot(d, d) < reach * reach)) continue;
-    found.surface.push_back(s);
-    found.facets_end.push_back(static_cast<std::uint32_t>(found.facet.size()));
-  }
-}
+/// What is near one parcel. A body's margin counts `body_margins` times, a parcel's at least `radii` of its radius.
+class LookFromParcel {
+ public:
+  LookFromParcel(const WallSearch& wanted, double body_margins, double radii)
+      : wanted_(wanted), body_margins_(body_margins), radii_(radii) {}
 
-void find_patches(const FacetedWall& mesh, const Walls& walls, std::span<const Pose> poses,
-                  const Vec3& position, double far, std::span<const double> body_margin,
-                  std::vector<NearFacet>& near, Found& found) {
-  const std::uint32_t body = walls.surfaces[mesh.first_surface].body;
-  if (poses[body].absent) return;
-  const double reach = far + body_margin[body];
-  const Vec3 at = poses[body].now.back(position);
-  near.clear();
-  mesh.for_near(at, reach, [&](std::uint32_t triangle) {
-    const Vec3 d = mesh.nearest(triangle, at).point - at;
-    if (dot(d, d) < reach * reach) near.push_back({mesh.patch_of(triangle), triangle});
-  });
-  std::sort(near.begin(), near.end(), [](const NearFacet& a, const NearFacet& b) {
-    return a.patch != b.patch ? a.patch < b.patch : a.triangle < b.triangle;
-  });
-  for (std::size_t k = 0; k < near.size(); ++k) {
-    found.facet.push_back(near[k].triangle);
-    if (k + 1 < near.size() && near[k + 1].patch == near[k].patch) continue;
-    found.surface.push_back(mesh.first_surface + near[k].patch);
-    found.facets_end.push_back(static_cast<std::uint32_t>(found.facet.size()));
+  void look(std::size_t parcel, Found& found) {
+    const double radius = wanted_.parcels.body[parcel].radius;
+    position_ = wanted_.parcels.body[parcel].position;
+    far_ = radius + std::max(wanted_.margin[parcel], radii_ * radius) + wanted_.reach;
+    crowd_ = wanted_.crowd[parcel];
+    find_shapes(found);
+    for (const FacetedWall& mesh : wanted_.walls.meshes) find_patches(mesh, found);
   }
-}
+
+ private:
+  double reach_to(std::uint32_t body) const {
+    const double between = wanted_.body_crowd[body] != crowd_ ? wanted_.between_crowds : 0.0;
+    return far_ + body_margins_ * wanted_.body_margin[body] + between;
+  }
+
+  void find_shapes(Found& found) const {
+    for (std::uint32_t s = 0; s < wanted_.walls.surfaces.size(); ++s) {
+      const Surface& surface = wanted_.walls.surfaces[s];
+      if (surface.kind == Surface::Kind::patch || wanted_.poses[surface.body].absent) continue;
+      const double reach = reach_to(surface.body);
+      const Vec3 at = wanted_.poses[surface.body].now.back(position_);
+      const Vec3 d = nearest_point(surface, at).point - at;
+      if (!(dot(d, d) < reach * reach)) continue;
+      found.surface.push_back(s);
+      found.facets_end.push_back(static_cast<std::uint32_t>(found.facet.size()));
+    }
+  }
+
+  void find_patches(const FacetedWall& mesh, Found& found) {
+    const std::uint32_t body = wanted_.walls.surfaces[mesh.first_surface].body;
+    if (wanted_.poses[body].absent) return;
+    const double reach = reach_to(body);
+    const Vec3 at = wanted_.poses[body].now.back(position_);
+    near_.clear();
+    mesh.for_near(at, reach, [&](std::uint32_t triangle) {
+      const Vec3 d = mesh.nearest(triangle, at).point - at;
+      if (dot(d, d) < reach * reach) near_.push_back({mesh.patch_of(triangle), triangle});
+    });
+    std::sort(near_.begin(), near_.end(), [](const NearFacet& a, const NearFacet& b) {
+      return a.patch != b.patch ? a.patch < b.patch : a.triangle < b.triangle;
+    });
+    for (std::size_t k = 0; k < near_.size(); ++k) {
+      found.facet.push_back(near_[k].triangle);
+      if (k + 1 < near_.size() && near_[k + 1].patch == near_[k].patch) continue;
+      found.surface.push_back(mesh.first_surface + near_[k].patch);
+      found.facets_end.push_back(static_cast<std::uint32_t>(found.facet.size()));
+    }
+  }
+
+  const WallSearch& wanted_;
+  double body_margins_, radii_;
+  Vec3 position_;
+  double far_ = 0.0;
+  std::uint8_t crowd_ = 0;
+  std::vector<NearFacet> near_;
+};
 
 }  // namespace
 
-void NearWalls::rebuild(const Parcels& parcels, const Walls& walls, std::span<const Pose> poses,
-                        std::span<const double> margin, std::span<const double> body_margin, double reach,
-                        int threads) {
-  const std::size_t count = parcels.size();
+void NearWalls::rebuild(const WallSearch& wanted, int threads) {
+  const std::size_t count = wanted.parcels.size();
   std::vector<Found> found(static_cast<std::size_t>(std::max(threads, 1)));
   std::vector<std::size_t> share_begin(found.size(), count);
   begin.assign(count + 1, 0);
   parallel_shares(count, threads, [&](std::size_t from, std::size_t to, int thread) {
     auto& mine = found[static_cast<std::size_t>(thread)];
-    std::vector<NearFacet> near;
+    // More than margins ask for, so that lists of walls are still good for most that leave theirs.
+    LookFromParcel looker(wanted, 1.0, 0.5);
     share_begin[static_cast<std::size_t>(thread)] = from;
     for (std::size_t i = from; i < to; ++i) {
-      const Parcel& p = parcels.body[i];
-      const double far = p.radius + margin[i] + reach;
       const std::size_t before = mine.surface.size();
-      find_shapes(walls, poses, p.position, far, body_margin, mine);
-      for (const FacetedWall& mesh : walls.meshes)
-        find_patches(mesh, walls, poses, p.position, far, body_margin, near, mine);
+      looker.look(i, mine);
       begin[i + 1] = static_cast<std::uint32_t>(mine.surface.size() - before);
     }
   });
@@ -102,6 +123,24 @@ void NearWalls::rebuild(const Parcels& parcels, const Walls& walls, std::span<co
   history.assign(slot_count, {});
   memory.assign(slot_count);
   load.assign(slot_count, {});
+}
+
+bool NearWalls::would_miss(std::uint32_t parcel_index, const WallSearch& wanted) const {
+  Found found;
+  // A body may be at one end of its margin now, and go to the other.
+  LookFromParcel(wanted, 2.0, 0.0).look(parcel_index, found);
+  const auto own_begin = surface.begin() + begin[parcel_index],
+             own_end = surface.begin() + begin[parcel_index + 1];
+  std::uint32_t facets_from = 0;
+  for (std::size_t k = 0; k < found.surface.size(); facets_from = found.facets_end[k++]) {
+    const auto own = std::find(own_begin, own_end, found.surface[k]);
+    if (own == own_end) return true;
+    const std::span<const std::uint32_t> listed = facets(static_cast<std::size_t>(own - surface.begin()));
+    if (!std::includes(listed.begin(), listed.end(), found.facet.begin() + facets_from,
+                       found.facet.begin() + found.facets_end[k]))
+      return true;
+  }
+  return false;
 }
 
 TouchingList NearWalls::pack() const {

@@ -10,15 +10,29 @@
 
 namespace pulvis {
 
+/// Who is looked for: parcels, bodies, and how far they may go until lists are made again.
+struct WallSearch {
+  const Parcels& parcels;
+  const Walls& walls;
+  std::span<const Pose> poses;
+  std::span<const double> margin;       ///< m, per parcel
+  std::span<const std::uint8_t> crowd;  ///< per parcel
+  std::span<const double> body_margin;  ///< m, per body
+  std::span<const std::uint8_t> body_crowd;
+  double reach;           ///< m, of contacts that hold beyond touching
+  double between_crowds;  ///< m, by which parcels and bodies of different crowds may come nearer besides
+};
+
 /// Parcels and surfaces that touch or could before the next rebuild; a parcel's slots lie together, surfaces
 /// ascending. A slot of a patch lists the triangles that can come into question.
 class NearWalls {
  public:
-  /// Finds all surfaces closer to a parcel than its margin + that of the surface's body + reach, m. Bodies
-  /// that are absent are passed over.
-  void rebuild(const Parcels& parcels, const Walls& walls, std::span<const Pose> poses,
-               std::span<const double> margin, std::span<const double> body_margin, double reach,
-               int threads);
+  /// Finds all surfaces closer to a parcel than its margin, that of the surface's body, the reach, and what crowds may come
+  /// nearer. Bodies that are absent are passed over.
+  void rebuild(const WallSearch& wanted, int threads);
+  /// Whether a parcel that has been given another margin where it is now could come near a surface or triangle that its list
+  /// does not have, before it leaves that margin or a body its own.
+  bool would_miss(std::uint32_t parcel, const WallSearch& wanted) const;
   TouchingList pack() const;
   /// As NearPairs::restore.
   std::size_t restore(const TouchingList& list, std::span<const std::uint32_t> old_index);

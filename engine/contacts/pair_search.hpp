@@ -24,9 +24,13 @@ struct PairSearch {
   double reach;                    ///< m, of contacts that hold beyond touching
   const Box& box;
   const Slide& slide;
+  std::span<const std::uint8_t> crowd{};  ///< per parcel, 0 or 1; none where there is one crowd
+  double between_crowds = 0.0;  ///< m, by which crowds may come nearer besides; 0: all are of the first
+
+  std::uint8_t crowd_of(std::size_t parcel) const { return crowd.empty() ? std::uint8_t{0} : crowd[parcel]; }
 };
 
-/// All pairs whose gap is below both margins and the reach, each once, in no order to rely on.
+/// All pairs whose gap is below both margins and the reach, and between crowds that more, each once, in no order to rely on.
 std::vector<FoundPair> find_pairs(const PairSearch& wanted, int threads);
 
 }  // namespace pulvis

@@ -74,8 +74,11 @@ PULVIS_INLINE bool inside(const Vec3& x, const Box& box) {
 }
 
 /// The first half of a step for one parcel, `load` being what acts on it at the beginning.
-PULVIS_INLINE void begin_one(Parcel& p, const Load& load, const StepBeginning& b, Vec3& reference,
-                             double margin, StepNotice& notice) {
+PULVIS_INLINE void begin_one(std::size_t i, Parcels& parcels, const Load& load, const StepBeginning& b,
+                             const Leeway& leeway, StepNotice& notice) {
+  Parcel& p = parcels.body[i];
+  Vec3& reference = leeway.reference[i];
+  double margin = leeway.margin[i];
   if (b.field.rotating)
     kick_rotating_first(p, load, b.field, 0.5 * b.dt);
   else
@@ -93,10 +96,10 @@ PULVIS_INLINE void begin_one(Parcel& p, const Load& load, const StepBeginning& b
     for (int axis = 0; axis < 3; ++axis)
       if (b.box.periodic[axis])
         notice.wrapped |= wrap(p.position[axis], reference[axis], b.box.min[axis], b.box.max[axis]);
-  const Vec3 since = p.position - reference - b.drift;
+  const Vec3 since = p.position - reference - b.drift[leeway.crowd[i]];
   notice.outside |= !inside(p.position, b.box) || !(dot(p.spin, p.spin) < 1e300);
   notice.too_fast |= dot(move, move) > 0.25 * (p.radius * p.radius);
-  notice.stale |= dot(since, since) > margin * margin || margin < 0.0;
+  if (dot(since, since) > margin * margin || margin < 0.0) notice.note_left(i, i + 1);
 }
 
 /// What walls do to parcel `i`, by surface, is added to `sum`.
@@ -113,8 +116,8 @@ StepNotice all_of(const std::vector<StepNotice>& notices) {
   for (const auto& n : notices) {
     all.outside |= n.outside;
     all.too_fast |= n.too_fast;
-    all.stale |= n.stale;
     all.wrapped |= n.wrapped;
+    all.note_left(n.left_from, n.left_to);
   }
   return all;
 }
@@ -178,12 +181,12 @@ class ShareOfSweep {
     t_.evaluator.sum_close(t_.pairs, some, sums);
     for (std::size_t k = 0; k < some.count; ++k) {
       std::uint8_t& meets = t_.pairs.meets[some[k]];
-      if (meets) sums[k] = t_.evaluator.sum_all(t_.pairs, some[k]), meets = 0;
+      if (meets)
+        sums[k] = t_.evaluator.sum_all(t_.pairs, t_.parcels, static_cast<std::uint32_t>(some[k])), meets = 0;
       add_walls(some[k], t_.walls, sums[k]);
     }
     if (plain_)
-      t_.evaluator.move()(*plain_, some, sums, t_.parcels.body.data(), t_.reference.data(), t_.margin.data(),
-                          notice);
+      t_.evaluator.move()(*plain_, some, sums, t_.parcels.body.data(), t_.leeway, notice);
     else
       for (std::size_t k = 0; k < some.count; ++k) finish(some[k], sums[k]);
   }
@@ -197,7 +200,7 @@ class ShareOfSweep {
     else
       kick(p, sum, 0.5 * fields_.dt);
     if (next_)
-      begin_one(p, sum, *next_, t_.reference[i], t_.margin[i], notice);
+      begin_one(i, t_.parcels, sum, *next_, t_.leeway, notice);
     else
       t_.parcels.load[i] = sum;
   }
@@ -212,13 +215,11 @@ class ShareOfSweep {
 
 }  // namespace
 
-StepNotice begin_step(Parcels& parcels, const StepBeginning& beginning, std::span<Vec3> reference,
-                      std::span<const double> margin, int threads) {
+StepNotice begin_step(Parcels& parcels, const StepBeginning& beginning, const Leeway& leeway, int threads) {
   std::vector<StepNotice> notices(static_cast<std::size_t>(threads < 1 ? 1 : threads));
   parallel_shares(parcels.size(), threads, [&](std::size_t from, std::size_t to, int thread) {
     StepNotice mine;
-    for (std::size_t i = from; i < to; ++i)
-      begin_one(parcels.body[i], parcels.load[i], beginning, reference[i], margin[i], mine);
+    for (std::size_t i = from; i < to; ++i) begin_one(i, parcels, parcels.load[i], beginning, leeway, mine);
     notices[static_cast<std::size_t>(thread)] = mine;
   });
   return all_of(notices);
@@ -226,6 +227,13 @@ StepNotice begin_step(Parcels& parcels, const StepBeginning& beginning, std::spa
 
 StepNotice sweep(SweptThings things, const SweepFields& fields, const StepBeginning* next) {
   const int shares = things.pairs.shares();
+  // Before all others, since they lie in no order of the parcels.
+  if (things.pairs.slots() > things.pairs.first_late())
+    parallel_parts(shares, [&](int part) {
+      things.evaluator.pairs_late(
+          things.pairs, things.classes,
+          {things.parcels, things.classes.all().front(), things.images, fields.dt, part});
+    });
   std::vector<StepNotice> notices(static_cast<std::size_t>(shares));
   parallel_parts(shares, [&](int part) {
     ShareOfSweep share(things, fields, next, part);

@@ -12,6 +12,8 @@
 
 namespace pulvis {
 
+using kernels::Drift;
+using kernels::Leeway;
 using kernels::StepNotice;
 
 /// What a step of a sheared box needs besides; of others, what it is by default.
@@ -23,7 +25,7 @@ struct ShearedStep {
 
 /// What the first half of a step is made with.
 struct StepBeginning {
-  StepBeginning(const Box& domain, const ForceField& at_beginning, double step, const Vec3& way,
+  StepBeginning(const Box& domain, const ForceField& at_beginning, double step, const Drift& way,
                 const ShearedStep& sheared)
       : box(domain),
         any_periodic(domain.periodic[0] || domain.periodic[1] || domain.periodic[2]),
@@ -34,20 +36,18 @@ struct StepBeginning {
   const Box& box;
   bool any_periodic;
   ForceField field;
-  double dt;   ///< s
-  Vec3 drift;  ///< m, which the margins do not count: how far all have drifted since the lists were made
+  double dt;    ///< s
+  Drift drift;  ///< since the lists were made, to the end of the step
   ShearedStep shear;
 };
 
 /// First half of velocity Verlet: v += (F/m) dt/2, omega += (T/I) dt/2, x += v dt; wraps periodic axes.
 /// Velocities then are those of the middle of the step, in step with the displacement they made (synchronised
-/// velocities, D. R. Vyas et al., Comput. Phys. Commun. 310 (2025) 109524). `reference` are the positions the
-/// lists were made at; they wrap along.
+/// velocities, D. R. Vyas et al., Comput. Phys. Commun. 310 (2025) 109524). References wrap along.
 ///
 /// In a sheared box the references drift with the shear flow, margins are measured against them, and a parcel that
 /// leaves through a face of the gradient axis comes back where its image is, as fast as that.
-StepNotice begin_step(Parcels& parcels, const StepBeginning& beginning, std::span<Vec3> reference,
-                      std::span<const double> margin, int threads);
+StepNotice begin_step(Parcels& parcels, const StepBeginning& beginning, const Leeway& leeway, int threads);
 
 /// What a sweep goes over.
 struct SweptThings {
@@ -56,9 +56,8 @@ struct SweptThings {
   const NearWalls& walls;  ///< evaluated
   ContactEvaluator& evaluator;
   const ContactClasses& classes;
-  Images images;              ///< at the end of the step
-  std::span<Vec3> reference;  ///< per parcel, as in begin_step
-  std::span<const double> margin;
+  Images images;  ///< at the end of the step
+  Leeway leeway;
 };
 
 struct SweepFields {

@@ -43,8 +43,32 @@ using SumOfPairs = void (*)(const LoadsOfPairs& pairs, const SomeParcels& some, 
 struct StepNotice {
   bool outside = false;   ///< a position is outside the box, or it or a spin is not a finite number
   bool too_fast = false;  ///< a parcel moved more than half its radius in one step
-  bool stale = false;     ///< a parcel left the margin the lists were made for
   bool wrapped = false;   ///< a parcel came back at the other end of a periodic axis
+  /// All that left the margins the lists were made for stand in [left_from, left_to) of the store.
+  std::size_t left_from = SIZE_MAX, left_to = 0;
+
+  PULVIS_INLINE bool any_left() const { return left_from < left_to; }
+  PULVIS_INLINE void forget_left() { left_from = SIZE_MAX, left_to = 0; }
+  PULVIS_INLINE void note_left(std::size_t from, std::size_t to) {
+    left_from = from < left_from ? from : left_from;
+    left_to = to > left_to ? to : left_to;
+  }
+};
+
+/// Most of the powder moves in one or two crowds, a bed and the rain on it: what a crowd does together brings none of it
+/// nearer to another, and margins do not count it.
+inline constexpr int crowds = 2;
+struct Drift {
+  Vec3 of[crowds];  ///< m
+  PULVIS_INLINE Vec3& operator[](std::size_t crowd) { return of[crowd]; }
+  PULVIS_INLINE const Vec3& operator[](std::size_t crowd) const { return of[crowd]; }
+};
+
+/// What tells whether near lists are still good for each parcel.
+struct Leeway {
+  Vec3* reference;            ///< m, where it was when it was listed, less what its crowd had drifted then
+  const double* margin;       ///< m, how far it may be from there and its crowd's drift
+  const std::uint8_t* crowd;  ///< 0 or 1
 };
 
 /// What takes parcels from the end of one step to the middle of the next where nothing turns and nothing is sheared.
@@ -53,14 +77,14 @@ struct PlainStep {
   bool periodic[3];  ///< axes
   Vec3 gravity;      ///< m/s^2
   double dt;         ///< s
-  Vec3 drift;        ///< m, which the margins do not count
+  Drift drift;       ///< since lists were made
 };
 
 /// The second half of one step and the first half of the next, as finish and begin_one in engine/dynamics/integrate.cpp
 /// make them for one parcel. `load`: of these parcels, what acts on them but for gravity. The other arrays are those of
 /// all parcels.
 using MoveParcels = void (*)(const PlainStep& step, const SomeParcels& some, const Load* load,
-                             Parcel* parcels, Vec3* reference, const double* margin, StepNotice& notice);
+                             Parcel* parcels, const Leeway& leeway, StepNotice& notice);
 
 struct ParcelKernel {
   SumOfPairs sum_of_pairs;

@@ -29,10 +29,11 @@ static void sum_pairs(const LoadsOfPairs& pairs, const SomeParcels& given, Load*
 struct ParcelLanes {
   Lanes3 position, velocity, spin, force, torque, reference;
   alignas(64) Lane radius, mass, margin, names;  ///< names: id and species, which only pass through
+  alignas(64) Lane second_crowd;                 ///< 1 for those of the second, else 0
 };
 
 static void read(ParcelLanes& b, const SomeParcels& some, const Load* load, const Parcel* parcels,
-                 const Vec3* reference, const double* margin) {
+                 const Leeway& leeway) {
   const std::size_t count = some.count;
   for (std::size_t k = 0; k < count; k += 4) {
     const double *p[4], *f[4];
@@ -53,8 +54,9 @@ static void read(ParcelLanes& b, const SomeParcels& some, const Load* load, cons
     put_four(b.torque.x + k, force.d), put_four(b.torque.y + k, torque.c), put_four(b.torque.z + k, torque.d);
   }
   for (std::size_t k = 0; k < count; ++k) {
-    store(b.reference, static_cast<int>(k), reference[some[k]]);
-    b.margin[k] = margin[some[k]];
+    store(b.reference, static_cast<int>(k), leeway.reference[some[k]]);
+    b.margin[k] = leeway.margin[some[k]];
+    b.second_crowd[k] = leeway.crowd[some[k]];
   }
 }
 
@@ -83,19 +85,20 @@ static void write(const ParcelLanes& b, const SomeParcels& some, Parcel* parcels
 
 /// Brings what left a periodic axis back, and its reference with it; whether any did.
 static bool wrap(double* x, double* reference, double low, double high, int count) {
-  int any = 0;
-#pragma omp simd reduction(| : any)
+  double any = 0.0;
+#pragma omp simd reduction(+ : any)
   for (int k = 0; k < count; ++k) {
     const double length = x[k] >= high ? high - low : x[k] < low ? low - high : 0.0;
     x[k] -= length;
     reference[k] -= length;
-    any |= length != 0.0;
+    any += select(length != 0.0, 1.0, 0.0);
   }
-  return any != 0;
+  return any != 0.0;
 }
 
-/// One parcel in its lane.
-PULVIS_INLINE void kick_and_drift(ParcelLanes& b, int k, const PlainStep& step, int& too_fast) {
+/// One parcel in its lane. What is noticed is counted in numbers as wide as the others: a whole number would have to be made
+/// of every comparison.
+PULVIS_INLINE void kick_and_drift(ParcelLanes& b, int k, const PlainStep& step, double& too_fast) {
   const double half = 0.5 * step.dt, mass = b.mass[k], radius = b.radius[k];
   const double by_mass = half / mass, by_inertia = half / (0.4 * mass * (radius * radius));
   const Vec3 change = by_mass * (load(b.force, k) + mass * step.gravity);
@@ -105,42 +108,46 @@ PULVIS_INLINE void kick_and_drift(ParcelLanes& b, int k, const PlainStep& step, 
   store(b.spin, k, (load(b.spin, k) + turn) + turn);
   const Vec3 move = step.dt * velocity;
   store(b.position, k, load(b.position, k) + move);
-  too_fast |= dot(move, move) > 0.25 * (radius * radius);
+  too_fast += select(dot(move, move) > 0.25 * (radius * radius), 1.0, 0.0);
 }
 
-PULVIS_INLINE void inspect(const ParcelLanes& b, int k, const PlainStep& step, int& outside, int& stale) {
+PULVIS_INLINE void inspect(const ParcelLanes& b, int k, const PlainStep& step, double& outside,
+                           double& left) {
   const Vec3 x = load(b.position, k), spin = load(b.spin, k);
-  const Vec3 since = x - load(b.reference, k) - step.drift;
+  const Vec3 apart = step.drift[1] - step.drift[0];
+  const Vec3 since = x - load(b.reference, k) - (step.drift[0] + b.second_crowd[k] * apart);
   const double margin = b.margin[k];
-  const int inside = (x.x >= step.low.x) & (x.x <= step.high.x) & (x.y >= step.low.y) & (x.y <= step.high.y) &
-                     (x.z >= step.low.z) & (x.z <= step.high.z) & (dot(spin, spin) < 1e300);
-  outside |= 1 - inside;
-  stale |= dot(since, since) > margin * margin;
+  const bool inside = (x.x >= step.low.x) & (x.x <= step.high.x) & (x.y >= step.low.y) &
+                      (x.y <= step.high.y) & (x.z >= step.low.z) & (x.z <= step.high.z) &
+                      (dot(spin, spin) < 1e300);
+  outside += select(inside, 0.0, 1.0);
+  left += select(dot(since, since) > margin * margin, 1.0, 0.0);
 }
 
 static void move_parcels(const PlainStep& given, const SomeParcels& wanted, const Load* load, Parcel* parcels,
-                         Vec3* reference, const double* margin, StepNotice& notice) {
+                         const Leeway& where, StepNotice& notice) {
   const PlainStep step = given;
   const SomeParcels some = wanted;
+  const Leeway leeway = where;
   const int count = static_cast<int>(some.count);
   ParcelLanes b;
-  read(b, some, load, parcels, reference, margin);
-  int too_fast = 0, outside = 0, stale = 0;
-#pragma omp simd reduction(| : too_fast)
+  read(b, some, load, parcels, leeway);
+  double too_fast = 0.0, outside = 0.0, left = 0.0;
+#pragma omp simd reduction(+ : too_fast)
   for (int k = 0; k < count; ++k) kick_and_drift(b, k, step, too_fast);
   const bool wrapped =
       (step.periodic[0] && wrap(b.position.x, b.reference.x, step.low.x, step.high.x, count)) |
       (step.periodic[1] && wrap(b.position.y, b.reference.y, step.low.y, step.high.y, count)) |
       (step.periodic[2] && wrap(b.position.z, b.reference.z, step.low.z, step.high.z, count));
-#pragma omp simd reduction(| : outside, stale)
-  for (int k = 0; k < count; ++k) inspect(b, k, step, outside, stale);
+#pragma omp simd reduction(+ : outside, left)
+  for (int k = 0; k < count; ++k) inspect(b, k, step, outside, left);
   write(b, some, parcels);
   if (wrapped)
     for (int k = 0; k < count; ++k)
-      reference[some[static_cast<std::size_t>(k)]] = kernels::load(b.reference, k);
-  notice.too_fast |= too_fast != 0;
-  notice.outside |= outside != 0;
-  notice.stale |= stale != 0;
+      leeway.reference[some[static_cast<std::size_t>(k)]] = kernels::load(b.reference, k);
+  notice.too_fast |= too_fast != 0.0;
+  notice.outside |= outside != 0.0;
+  if (left != 0.0) notice.note_left(some[0], some[some.count - 1] + 1);
   notice.wrapped |= wrapped;
 }
 

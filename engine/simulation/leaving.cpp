@@ -7,6 +7,7 @@
 namespace pulvis {
 
 void Simulation::take_out_escaped(const StepNotice& notice) {
+  pairs_.settle_late(state_.parcels);
   require_finite();
   std::vector<std::uint32_t> out;
   for (std::size_t i = 0; i < state_.parcels.size(); ++i) {

@@ -11,31 +11,14 @@
 namespace pulvis {
 namespace {
 
-constexpr std::uint64_t rebuilds_between_sorts = 32;
-constexpr double steps_between_rebuilds = 60.0;  // what the margins of moving parcels aim at
+constexpr std::uint64_t steps_between_sorts = 2000;
+constexpr double least_margin = 0.02;  // radii, with a skin of 1
 
 }  // namespace
 
-/// The velocity most of the powder has, by each component: the bed in a shaken die moves as one, and what all do
-/// together brings nobody nearer to another.
-Vec3 Simulation::common_velocity() const {
-  constexpr std::size_t enough = 255;
-  const std::size_t count = state_.parcels.size(), stride = 1 + count / enough;
-  Vec3 common;
-  std::vector<double> sample;
-  for (int axis = 0; axis < 3; ++axis) {
-    sample.clear();
-    for (std::size_t i = 0; i < count; i += stride) sample.push_back(state_.parcels.body[i].velocity[axis]);
-    if (sample.empty()) continue;
-    const auto middle = sample.begin() + static_cast<std::ptrdiff_t>(sample.size() / 2);
-    std::nth_element(sample.begin(), middle, sample.end());
-    common[axis] = *middle;
-  }
-  return common;
-}
-
-/// How fast each parcel is, m/s, against what all do together, or the fastest of what it could meet before the lists are
-/// made anew: it may take that speed over when they collide. Those are in the lists as they were.
+/// How fast each parcel is against its crowd, m/s, or the fastest of what it could meet before the lists are made anew, each
+/// against its own: it may take that speed over when they collide. Those are in the lists as they were. What another crowd
+/// does to it is left to relisting.
 std::vector<double> Simulation::expected_speeds(std::span<const std::uint32_t> old_index) const {
   const std::size_t count = state_.parcels.size(),
                     old_count = pairs_.begin.empty() ? 0 : pairs_.begin.size() - 1;
@@ -43,13 +26,14 @@ std::vector<double> Simulation::expected_speeds(std::span<const std::uint32_t> o
   parallel_shares(count, threads(), [&](std::size_t from, std::size_t to, int) {
     for (std::size_t i = from; i < to; ++i) {
       const Parcel& p = state_.parcels.body[i];
-      const Vec3 own = p.velocity - drift_velocity_ - model_.domain.flow_velocity(p.position);
+      const Vec3 own = p.velocity - drift_velocity_[crowd_[i]] - model_.domain.flow_velocity(p.position);
       speed[i] = norm(own) + 0.5 * magnitude(model_.domain.shear.rate) * p.radius;
       if (old_index[i] < old_count) old_speed[old_index[i]] = speed[i];
     }
   });
   std::vector<double> of_body(poses_.size());
-  for (std::size_t b = 0; b < of_body.size(); ++b) of_body[b] = speed_against_drift(b);
+  for (std::size_t b = 0; b < of_body.size(); ++b)
+    of_body[b] = speed_against(drift_velocity_[body_crowd_[b]], b);
   parallel_shares(count, threads(), [&](std::size_t from, std::size_t to, int) {
     for (std::size_t i = from; i < to; ++i) {
       const std::uint32_t old = old_index[i];
@@ -66,32 +50,33 @@ std::vector<double> Simulation::expected_speeds(std::span<const std::uint32_t> o
   return speed;
 }
 
+/// Fast parcels get wide margins and slow ones narrow ones: in a filling die the dense bed is slow and the fast rain is
+/// dilute, so lists stay short where there are many parcels.
+/// No margin is less than the way of the next step (up to 0.5 radius): contacts must end by their law only.
+double Simulation::margin_for(double speed, double radius) const {
+  const double wish = speed * model_.dt * steps_between_rebuilds / radius;
+  return radius *
+         std::clamp(1.2 * wish + least_margin * model_.skin, least_margin * model_.skin, widest_margin());
+}
+
 void Simulation::choose_margins(std::span<const std::uint32_t> old_index) {
-  // Fast parcels get wide margins and slow ones narrow ones: in a filling die the dense bed is slow and the
-  // fast rain is dilute, so lists stay short where there are many parcels.
-  // No margin is less than the way of the next step (up to 0.5 radius): contacts must end by their law only.
-  const double least = 0.02 * model_.skin, most = greatest(0.6 * model_.skin, 0.5);
-  drift_ = {};
-  drift_velocity_ = model_.domain.shear.any() ? Vec3{} : common_velocity();
+  choose_crowds(old_index);
   margin_.resize(state_.parcels.size());
   const std::vector<double> speed = expected_speeds(old_index);
   parallel_shares(margin_.size(), threads(), [&](std::size_t from, std::size_t to, int) {
-    for (std::size_t i = from; i < to; ++i) {
-      const double radius = state_.parcels.body[i].radius;
-      const double wish = speed[i] * model_.dt * steps_between_rebuilds / radius;
-      margin_[i] = radius * std::clamp(1.2 * wish + least, least, most);
-    }
+    for (std::size_t i = from; i < to; ++i) margin_[i] = margin_for(speed[i], state_.parcels.body[i].radius);
   });
   body_margin_.resize(poses_.size());
   for (std::size_t b = 0; b < poses_.size(); ++b)
     body_margin_[b] =
-        least * model_.smallest_radius + 1.2 * speed_against_drift(b) * model_.dt * steps_between_rebuilds;
+        least_margin * model_.skin * model_.smallest_radius +
+        1.2 * speed_against(drift_velocity_[body_crowd_[b]], b) * model_.dt * steps_between_rebuilds;
 }
 
-double Simulation::speed_against_drift(std::size_t body) const {
+double Simulation::speed_against(const Vec3& velocity, std::size_t body) const {
   double speed = 0.0;
   for (const Vec3& corner : body_corners_[body])
-    speed = greatest(speed, norm(poses_[body].velocity(corner, model_.dt) - drift_velocity_));
+    speed = greatest(speed, norm(poses_[body].velocity(corner, model_.dt) - velocity));
   return speed;
 }
 
@@ -118,7 +103,8 @@ bool Simulation::a_body_left_its_margin() const {
   // A displacement is linear in the point, so its largest size lies at a corner.
   for (std::size_t b = 0; b < poses_.size(); ++b)
     for (const Vec3& corner : body_corners_[b])
-      if (norm(poses_[b].now(corner) - body_reference_[b](corner) - drift_) > body_margin_[b]) return true;
+      if (norm(poses_[b].now(corner) - body_reference_[b](corner) - drift_[body_crowd_[b]]) > body_margin_[b])
+        return true;
   return false;
 }
 
@@ -156,13 +142,17 @@ void Simulation::sort_along_space(std::vector<std::uint32_t>& old_index) {
 }
 
 void Simulation::rebuild() {
+  pairs_.settle_late(state_.parcels);
   const TouchingList old_pairs = pairs_.pack(state_.parcels, threads()), old_walls = walls_.pack();
   rebuild(old_pairs, old_walls, same_order(state_.parcels.size()));
 }
 
 std::vector<std::uint32_t> Simulation::rebuild(const TouchingList& old_pairs, const TouchingList& old_walls,
                                                std::vector<std::uint32_t> old_index) {
-  if (rebuilds_++ % rebuilds_between_sorts == 0) sort_along_space(old_index);
+  if (rebuilds_++ == 0 || state_.step - sorted_at_ >= steps_between_sorts) {
+    sort_along_space(old_index);
+    sorted_at_ = state_.step;
+  }
   choose_margins(old_index);
   const std::size_t count = state_.parcels.size();
   reference_.resize(count);
@@ -172,9 +162,13 @@ std::vector<std::uint32_t> Simulation::rebuild(const TouchingList& old_pairs, co
   body_reference_.resize(poses_.size());
   for (std::size_t b = 0; b < poses_.size(); ++b) body_reference_[b] = poses_[b].now;
 
-  pairs_.rebuild({state_.parcels, model_.classes, margin_, reach_, model_.domain, images_.slide}, threads());
+  pairs_.rebuild({state_.parcels, model_.classes, margin_, reach_, model_.domain, images_.slide, crowd_,
+                  between_crowds_},
+                 threads());
   rebuilt_at_ = state_.step;
-  walls_.rebuild(state_.parcels, model_.walls, poses_, margin_, body_margin_, reach_, threads());
+  late_search_.forget();
+  notice_.forget_left();
+  walls_.rebuild(wall_search(), threads());
   const std::size_t pairs_found = pairs_.restore(old_pairs, old_index, state_.parcels, threads());
   const std::size_t walls_found = walls_.restore(old_walls, old_index);
   const std::size_t found = pairs_found + (walls_may_be_left_ ? old_walls.size() : walls_found);

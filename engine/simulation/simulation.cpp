@@ -72,7 +72,7 @@ void Simulation::step(Then then) {
   if (!ahead_) {
     insert_due_parcels();
     const StepBeginning first = beginning();
-    notice_ = begin_step(state_.parcels, first, reference_, margin_, threads());
+    notice_ = begin_step(state_.parcels, first, leeway(), threads());
     drift_ = first.drift;
     times_.book(Task::pairs);
   }
@@ -84,9 +84,9 @@ void Simulation::step(Then then) {
   if (notice_.outside || notice_.too_fast) take_out_escaped(notice_);
   // Walls have no periodic images: what wrapped must look anew for those at the other end.
   walls_may_be_left_ = notice_.wrapped && has_bounded_walls_;
-  const bool stale = notice_.stale || walls_may_be_left_ || a_body_left_its_margin();
+  const bool all_are_stale = walls_may_be_left_ || crowds_have_parted() || a_body_left_its_margin();
   times_.book(Task::bodies);
-  if (stale) rebuild();
+  if (all_are_stale || (notice_.any_left() && !relist_those_that_left())) rebuild();
   walls_may_be_left_ = false;
   if (energy_) before_contacts();
   evaluator_.walls(walls_, state_.parcels, model_.walls, poses_, model_.classes, model_.dt, threads(),
@@ -97,9 +97,10 @@ void Simulation::step(Then then) {
   const bool guarded = state_.step % steps_between_guards == 0;
   ahead_ = then == Then::go_on && !energy_ && !guarded && crossings_.empty() &&
            state_.escapes.size() == escaped_before && !a_source_is_due();
+  if (!ahead_) pairs_.settle_late(state_.parcels);
   pairs_.keep_forces(then == Then::look);
   if (energy_) energy_->before_kick(state_.parcels);
-  notice_ = sweep({state_.parcels, pairs_, walls_, evaluator_, model_.classes, images_, reference_, margin_},
+  notice_ = sweep({state_.parcels, pairs_, walls_, evaluator_, model_.classes, images_, leeway()},
                   {field_towards(-0.5), model_.dt}, ahead_ ? &next : nullptr);
   if (ahead_) drift_ = next.drift;
   times_.book(Task::pairs);
@@ -325,11 +326,12 @@ Vec3 Simulation::force_on_surface(std::size_t surface) const {
 std::size_t Simulation::memory() const {
   const auto bytes = [](const auto& v) { return v.capacity() * sizeof v[0]; };
   return bytes(state_.parcels.body) + bytes(state_.parcels.load) + bytes(reference_) + bytes(margin_) +
-         bytes(pairs_.first) + bytes(pairs_.second) + bytes(pairs_.touching) + bytes(pairs_.pasts.springs) +
-         bytes(pairs_.pasts.memory) + pairs_.pasts.met.bytes() + bytes(pairs_.load) + bytes(pairs_.place) +
-         bytes(pairs_.force) + bytes(pairs_.begin) + bytes(pairs_.entry) + bytes(pairs_.summand_begin) +
-         bytes(pairs_.summand) + bytes(pairs_.meets) + bytes(walls_.begin) + bytes(walls_.parcel) +
-         bytes(walls_.surface) + bytes(walls_.history) + bytes(walls_.load);
+         bytes(crowd_) + bytes(pairs_.first) + bytes(pairs_.second) + bytes(pairs_.touching) +
+         bytes(pairs_.pasts.springs) + bytes(pairs_.pasts.memory) + pairs_.pasts.met.bytes() +
+         bytes(pairs_.load) + bytes(pairs_.place) + bytes(pairs_.force) + bytes(pairs_.begin) +
+         bytes(pairs_.entry) + bytes(pairs_.summand_begin) + bytes(pairs_.summand) + bytes(pairs_.meets) +
+         bytes(walls_.begin) + bytes(walls_.parcel) + bytes(walls_.surface) + bytes(walls_.history) +
+         bytes(walls_.load);
 }
 
 }  // namespace pulvis

@@ -6,6 +6,7 @@
 
 #include "engine/base/time_sheet.hpp"
 #include "engine/contacts/evaluate.hpp"
+#include "engine/contacts/late_search.hpp"
 #include "engine/contacts/near_pairs.hpp"
 #include "engine/contacts/near_walls.hpp"
 #include "engine/dynamics/integrate.hpp"
@@ -73,6 +74,8 @@ class Simulation {
   int threads() const;
   int most_threads() const { return most_threads_; }
   std::uint64_t rebuilds() const { return rebuilds_; }
+  /// How often a parcel that left its margin was looked from alone.
+  std::uint64_t relisted() const { return relisted_; }
   /// Where the time went; whoever leads the simulation books his own there too. No bit of the state knows of it.
   const TimeSheet& times() const { return times_; }
   TimeSheet& times() { return times_; }
@@ -101,16 +104,24 @@ class Simulation {
   }
   ShearedStep shear_to_next_step() const;
   StepBeginning beginning() const {
-    return {model_.domain, field_towards(0.5), model_.dt, drift_ + model_.dt * drift_velocity_,
-            shear_to_next_step()};
+    return {model_.domain, field_towards(0.5), model_.dt, drifted(model_.dt), shear_to_next_step()};
   }
   void require_whole_step() const;
   void insert_due_parcels();
   bool clear_of_walls(const Vec3& centre, double radius) const;
   void move_bodies_to(std::uint64_t step);
   Rigid placement(std::size_t body, std::uint64_t step) const;
-  Vec3 common_velocity() const;
-  double speed_against_drift(std::size_t body) const;
+  /// Drifts when `time` more has passed, s.
+  Drift drifted(double time) const {
+    return {{drift_[0] + time * drift_velocity_[0], drift_[1] + time * drift_velocity_[1]}};
+  }
+  Leeway leeway() { return {reference_.data(), margin_.data(), crowd_.data()}; }
+  bool find_two_crowds(double far);
+  void choose_crowds(std::span<const std::uint32_t> old_index);
+  /// How much nearer crowds may come from now on, m.
+  double between_crowds_left() const { return between_crowds_ - norm(drift_[1] - drift_[0]); }
+  bool crowds_have_parted() const { return between_crowds_left() < 0.0; }
+  double speed_against(const Vec3& velocity, std::size_t body) const;
   void find_body_corners();
   TouchingList without_body(const TouchingList& list, std::size_t body) const;
   void require_nothing_inside(std::size_t body) const;
@@ -139,7 +150,17 @@ class Simulation {
   static std::vector<std::uint32_t> same_order(std::size_t count);
   std::vector<double> expected_speeds(std::span<const std::uint32_t> old_index) const;
   void choose_margins(std::span<const std::uint32_t> old_index);
+  static constexpr double steps_between_rebuilds = 60.0;  ///< what the margins of moving parcels aim at
+  double margin_for(double speed, double radius) const;
+  double widest_margin() const { return greatest(0.6 * model_.skin, 0.5); }  ///< radii
   bool a_body_left_its_margin() const;
+  bool relist_those_that_left();
+  double speed_around(std::uint32_t parcel) const;
+  std::uint8_t nearer_crowd(const Vec3& velocity) const;
+  WallSearch wall_search() const {
+    return {state_.parcels, model_.walls, poses_, margin_,        crowd_,
+            body_margin_,   body_crowd_,  reach_, between_crowds_};
+  }
   void sort_along_space(std::vector<std::uint32_t>& old_index);
 
   Model model_;
@@ -154,10 +175,12 @@ class Simulation {
   ContactEvaluator evaluator_;
   std::optional<EnergyLedger> energy_;
   std::vector<Pose> next_poses_;  ///< of the step that comes; only for the ledger of energy
-  Vec3 drift_velocity_,
-      drift_;  ///< m/s that most parcels had at the last rebuild, and m they made since by it
-  std::vector<Vec3> reference_;                    ///< positions at the last rebuild
-  std::vector<Rigid> body_reference_;              ///< placements at the last rebuild
+  /// m/s that each crowd had at the last rebuild, and m it made since by it.
+  Drift drift_velocity_{}, drift_{};
+  double between_crowds_ = 0.0;  ///< m they may make against each other until the lists are made again
+  std::vector<std::uint8_t> crowd_, body_crowd_;  ///< of each parcel and body
+  std::vector<Vec3> reference_;        ///< positions when it was listed last, less its crowd's drift
+  std::vector<Rigid> body_reference_;  ///< placements at the last rebuild
   std::vector<std::array<Vec3, 8>> body_corners_;  ///< of a box around what parcels can touch, its own frame
   std::vector<std::uint32_t> wall_slots_by_id_;
   bool has_bounded_walls_ = false;
@@ -167,8 +190,10 @@ class Simulation {
   std::vector<Crossing> crossings_;
   StepNotice notice_;   ///< of the first half of a step
   bool ahead_ = false;  ///< the first half of the next step is made
+  LateSearch late_search_;
+  std::uint64_t relisted_ = 0;
   std::uint64_t rebuilds_ = 0;
-  std::uint64_t rebuilt_at_ = 0;  ///< step
+  std::uint64_t rebuilt_at_ = 0, sorted_at_ = 0;  ///< steps
 };
 
 }  // namespace pulvis

@@ -25,6 +25,12 @@ struct Packing {
   Parcels parcels;
   std::vector<double> margin;
   double reach = 0.0;
+  std::vector<std::uint8_t> crowd{};
+  double between_crowds = 0.0;
+
+  PairSearch wanted(const ContactClasses& classes) const {
+    return {parcels, classes, margin, reach, box, slide, crowd, between_crowds};
+  }
 };
 
 /// Random overlapping spheres of radii 1 : `ratio`, in a box of 3 to 12 of the largest distances at which a
@@ -86,7 +92,7 @@ using Pairs = std::set<std::pair<std::uint32_t, std::uint32_t>>;
 
 void expect_pairs_of_brute_force(const Packing& p, int threads) {
   NearPairs near;
-  near.rebuild({p.parcels, one_class, p.margin, p.reach, p.box, p.slide}, threads);
+  near.rebuild(p.wanted(one_class), threads);
   Pairs found;
   for (std::size_t s = 0; s < near.slots(); ++s) {
     if (!near.is_pair(s)) continue;
@@ -97,7 +103,8 @@ void expect_pairs_of_brute_force(const Packing& p, int threads) {
   const auto& body = p.parcels.body;
   for (std::size_t i = 0; i < body.size(); ++i)
     for (std::size_t j = i + 1; j < body.size(); ++j) {
-      const double far = body[i].radius + body[j].radius + p.margin[i] + p.margin[j] + p.reach,
+      const double far = body[i].radius + body[j].radius + p.margin[i] + p.margin[j] + p.reach +
+                         (p.between_crowds > 0.0 && p.crowd[i] != p.crowd[j] ? p.between_crowds : 0.0),
                    d = shortest(p, i, j);
       if (std::fabs(d - far) < 1e-9) continue;
       const std::pair key{std::min(body[i].id, body[j].id), std::max(body[i].id, body[j].id)};
@@ -138,6 +145,32 @@ TEST(NearPairs, AreThoseOfBruteForceWithThreePeriodicAxes) {
 TEST(NearPairs, AreThoseOfBruteForceInPeriodicBoxesOfOneAndTwoCells) {
   for (std::uint64_t k = 0; k < 60; ++k)
     expect_pairs_of_brute_force(random_packing(300 + k, all_around, 60, 0.3), 1);
+}
+/// Most are small and have narrow margins, so that cells are; a few reach much farther.
+Packing random_uneven_packing(std::uint64_t number, const bool (&periodic)[3], std::size_t count) {
+  Packing p = random_packing(number, periodic, count, 0.3);
+  Draw draw(number, 27);
+  for (std::size_t k = 0; k < count; ++k) {
+    if (draw.chance(0.04)) continue;
+    p.parcels.body[k].radius = draw.between(1.0, 1.2);
+    p.margin[k] = draw.between(0.02, 0.05);
+  }
+  return p;
+}
+
+TEST(NearPairs, AreThoseOfBruteForceWhereFewReachFar) {
+  for (std::uint64_t k = 0; k < 30; ++k)
+    expect_pairs_of_brute_force(random_uneven_packing(900 + k, k % 2 ? open_box : all_around, 600),
+                                1 + static_cast<int>(k % 3));
+}
+TEST(NearPairs, AreThoseOfBruteForceInTwoCrowds) {
+  for (std::uint64_t k = 0; k < 40; ++k) {
+    Packing p = random_uneven_packing(950 + k, k % 2 ? column : all_around, 500);
+    Draw draw(k, 29);
+    p.between_crowds = draw.between(0.1, 6.0);
+    for (std::size_t i = 0; i < p.parcels.size(); ++i) p.crowd.push_back(draw.chance(0.5));
+    expect_pairs_of_brute_force(p, 1 + static_cast<int>(k % 3));
+  }
 }
 TEST(NearPairs, AreTheSameForAnyNumberOfThreads) {
   for (std::uint64_t k = 0; k < 5; ++k) {
