@@ -122,7 +122,8 @@ void expect_kernel_equals_scalar_law(bool walls) {
   for (const laws::Law& law : laws_to_test()) {
     for (std::uint64_t number = 0; number < 12; ++number) {
       // Full blocks, and counts that leave a remainder in every vector width.
-      const int count = number % 3 == 0 ? kernels::block_size : 1 + static_cast<int>(number * 7 % (kernels::block_size - 1));
+      const int count = number % 3 == 0 ? kernels::block_size
+                                        : 1 + static_cast<int>(number * 7 % (kernels::block_size - 1));
       laws::MaterialPair material;
       double dt = 0.0;
       const auto input = random_block(law, number, count, material, dt);
