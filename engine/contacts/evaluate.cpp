@@ -161,13 +161,8 @@ Load ContactEvaluator::sum_all(const NearPairs& near, const Parcels& parcels, st
   };
   auto late = near.waiting_of(parcel);
   for (std::uint32_t k = near.begin[parcel]; k < near.begin[parcel + 1]; ++k) {
-    const std::uint32_t slot = near.entry[k] >> 1;
-    for (; !late.empty(); late = late.subspan(1)) {
-      if (parcels.body[near.entry[k] & 1u ? near.first[slot] : near.second[slot]].id <
-          late.front().partner_id)
-        break;
-      add(late.front().entry);
-    }
+    const std::uint32_t id = parcels.body[near.partner(near.entry[k])].id;
+    for (; !late.empty() && late.front().partner_id < id; late = late.subspan(1)) add(late.front().entry);
     add(near.entry[k]);
   }
   for (const auto& waiting : late) add(waiting.entry);

@@ -7,12 +7,10 @@
 namespace pulvis {
 
 bool NearPairs::is_listed(std::uint32_t i, std::uint32_t j) const {
-  for (std::uint32_t k = begin[i]; k < begin[i + 1]; ++k) {
-    const std::uint32_t slot = entry[k] >> 1;
-    if ((entry[k] & 1u ? first[slot] : second[slot]) == j) return true;
-  }
+  for (std::uint32_t k = begin[i]; k < begin[i + 1]; ++k)
+    if (partner(entry[k]) == j) return true;
   for (const Waiting& w : waiting_of(i))
-    if (first[w.entry >> 1] == j || second[w.entry >> 1] == j) return true;
+    if (partner(w.entry) == j) return true;
   return false;
 }
 
@@ -47,9 +45,7 @@ std::span<const NearPairs::Waiting> NearPairs::waiting_of(std::uint32_t parcel) 
 
 /// One pass from the last parcel to the first: the entries of each go where they will stand.
 void NearPairs::settle_late(const Parcels& parcels) {
-  const auto partner_id = [&](std::uint32_t e) {
-    return parcels.body[e & 1u ? first[e >> 1] : second[e >> 1]].id;
-  };
+  const auto partner_id = [&](std::uint32_t of_entry) { return parcels.body[partner(of_entry)].id; };
   std::size_t left = waiting_.size(), old_end = entry.size(),
               done = begin.size() - 1;  // parcels behind `done` are
   entry.resize(entry.size() + left);

@@ -59,6 +59,10 @@ class NearPairs {
   void take_over_forces(const NearPairs& old, std::span<const std::uint32_t> old_index);
 
   std::size_t slots() const { return first.size(); }
+  /// The other parcel of a pair, by an entry of the one.
+  std::uint32_t partner(std::uint32_t of_entry) const {
+    return of_entry & 1u ? first[of_entry >> 1] : second[of_entry >> 1];
+  }
   bool is_pair(std::size_t slot) const { return first[slot] != second[slot]; }  ///< and no mere filling
 
   std::size_t class_of(std::size_t group) const { return group % (group_begin.size() / 2); }

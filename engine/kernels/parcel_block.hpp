@@ -58,11 +58,14 @@ struct StepNotice {
 /// Most of the powder moves in one or two crowds, a bed and the rain on it: what a crowd does together brings none of it
 /// nearer to another, and margins do not count it.
 inline constexpr int crowds = 2;
-struct Drift {
-  Vec3 of[crowds];  ///< m
+/// A vector for each.
+struct OfCrowds {
+  Vec3 of[crowds];
   PULVIS_INLINE Vec3& operator[](std::size_t crowd) { return of[crowd]; }
   PULVIS_INLINE const Vec3& operator[](std::size_t crowd) const { return of[crowd]; }
 };
+
+using Drift = OfCrowds;  ///< m
 
 /// What tells whether near lists are still good for each parcel.
 struct Leeway {

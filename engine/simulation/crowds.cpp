@@ -67,7 +67,8 @@ bool Simulation::find_two_crowds(double far) {
 /// Finds the crowds and who belongs to which. What is dense is the first: the second looks for it from far.
 void Simulation::choose_crowds(std::span<const std::uint32_t> old_index) {
   const std::size_t count = state_.parcels.size();
-  drift_ = drift_velocity_ = {};
+  drift_ = {};
+  drift_velocity_ = {};
   between_crowds_ = 0.0;
   crowd_.assign(count, 0);
   body_crowd_.assign(poses_.size(), 0);

@@ -35,7 +35,7 @@ std::string Simulation::surroundings_of(std::size_t parcel) const {
     for (std::uint32_t k = pairs_.begin[parcel]; k < pairs_.begin[parcel + 1]; ++k) {
       const std::uint32_t slot = pairs_.entry[k] >> 1;
       if (!pairs_.touching[slot]) continue;
-      const Parcel& q = state_.parcels.body[pairs_.entry[k] & 1u ? pairs_.first[slot] : pairs_.second[slot]];
+      const Parcel& q = state_.parcels.body[pairs_.partner(pairs_.entry[k])];
       add(fmt::format("parcel {}", q.id), q.species);
     }
   if (walls_.begin.size() == state_.parcels.size() + 1)

@@ -38,11 +38,8 @@ std::vector<double> Simulation::expected_speeds(std::span<const std::uint32_t> o
     for (std::size_t i = from; i < to; ++i) {
       const std::uint32_t old = old_index[i];
       if (old >= old_count) continue;
-      for (std::uint32_t k = pairs_.begin[old]; k < pairs_.begin[old + 1]; ++k) {
-        const std::uint32_t slot = pairs_.entry[k] >> 1;
-        const std::uint32_t partner = pairs_.entry[k] & 1u ? pairs_.first[slot] : pairs_.second[slot];
-        speed[i] = greatest(speed[i], old_speed[partner]);
-      }
+      for (std::uint32_t k = pairs_.begin[old]; k < pairs_.begin[old + 1]; ++k)
+        speed[i] = greatest(speed[i], old_speed[pairs_.partner(pairs_.entry[k])]);
       for (std::uint32_t slot = walls_.begin[old]; slot < walls_.begin[old + 1]; ++slot)
         speed[i] = greatest(speed[i], of_body[model_.walls.surfaces[walls_.surface[slot]].body]);
     }

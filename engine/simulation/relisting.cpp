@@ -13,10 +13,8 @@ double Simulation::speed_around(std::uint32_t parcel) const {
     return norm(state_.parcels.body[i].velocity - drift_velocity_[crowd_[parcel]]);
   };
   double speed = speed_of(parcel);
-  for (std::uint32_t k = pairs_.begin[parcel]; k < pairs_.begin[parcel + 1]; ++k) {
-    const std::uint32_t slot = pairs_.entry[k] >> 1;
-    speed = greatest(speed, speed_of(pairs_.entry[k] & 1u ? pairs_.first[slot] : pairs_.second[slot]));
-  }
+  for (std::uint32_t k = pairs_.begin[parcel]; k < pairs_.begin[parcel + 1]; ++k)
+    speed = greatest(speed, speed_of(pairs_.partner(pairs_.entry[k])));
   return speed;
 }
 

@@ -176,7 +176,8 @@ class Simulation {
   std::optional<EnergyLedger> energy_;
   std::vector<Pose> next_poses_;  ///< of the step that comes; only for the ledger of energy
   /// m/s that each crowd had at the last rebuild, and m it made since by it.
-  Drift drift_velocity_{}, drift_{};
+  kernels::OfCrowds drift_velocity_{};
+  Drift drift_{};
   double between_crowds_ = 0.0;  ///< m they may make against each other until the lists are made again
   std::vector<std::uint8_t> crowd_, body_crowd_;  ///< of each parcel and body
   std::vector<Vec3> reference_;        ///< positions when it was listed last, less its crowd's drift
