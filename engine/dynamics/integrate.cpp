@@ -177,18 +177,29 @@ class ShareOfSweep {
 
   /// Pairs that do not touch add zeros, which change no bit of a sum that began with +0: so most of them can be left out.
   void finish(const kernels::SomeParcels& some) {
-    Load sums[at_once];
-    t_.evaluator.sum_close(t_.pairs, some, sums);
-    for (std::size_t k = 0; k < some.count; ++k) {
-      std::uint8_t& meets = t_.pairs.meets[some[k]];
-      if (meets)
-        sums[k] = t_.evaluator.sum_all(t_.pairs, t_.parcels, static_cast<std::uint32_t>(some[k])), meets = 0;
-      add_walls(some[k], t_.walls, sums[k]);
-    }
+    t_.evaluator.sum_close(t_.pairs, some, sums_);
+    if (any_meets(some))
+      for (std::size_t k = 0; k < some.count; ++k) {
+        std::uint8_t& meets = t_.pairs.meets[some[k]];
+        if (meets)
+          sums_[k] = t_.evaluator.sum_all(t_.pairs, t_.parcels, static_cast<std::uint32_t>(some[k])),
+          meets = 0;
+      }
+    if (some.list || t_.walls.begin[some.first] != t_.walls.begin[some.first + some.count])
+      for (std::size_t k = 0; k < some.count; ++k) add_walls(some[k], t_.walls, sums_[k]);
     if (plain_)
-      t_.evaluator.move()(*plain_, some, sums, t_.parcels.body.data(), t_.leeway, notice);
+      t_.evaluator.move()(*plain_, some, sums_, t_.parcels.body.data(), t_.leeway, notice);
     else
-      for (std::size_t k = 0; k < some.count; ++k) finish(some[k], sums[k]);
+      for (std::size_t k = 0; k < some.count; ++k) finish(some[k], sums_[k]);
+  }
+
+  /// Most blocks have none: they are asked all at once.
+  bool any_meets(const kernels::SomeParcels& some) const {
+    if (some.list) return true;
+    const std::uint8_t* const meets = &t_.pairs.meets[some.first];
+    std::uint8_t any = 0;
+    for (std::size_t k = 0; k < some.count; ++k) any |= meets[k];
+    return any != 0;
   }
 
   /// One parcel, `sum` being what acts on it but for body forces.
@@ -211,6 +222,7 @@ class ShareOfSweep {
   /// Where there is one (in most steps), parcels are finished many at a time, which gives the same and is faster.
   std::optional<kernels::PlainStep> plain_;
   int part_;
+  Load sums_[at_once];  ///< of those being finished
 };
 
 }  // namespace

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Compiled once per instruction set, as contact_kernels.cpp.
+#include <cmath>
+
 #include "engine/kernels/parcel_block.hpp"
 #include "engine/math/four.hpp"
 
@@ -83,18 +85,25 @@ static void write(const ParcelLanes& b, const SomeParcels& some, Parcel* parcels
   }
 }
 
-/// Brings what left a periodic axis back, and its reference with it; whether any did.
-static bool wrap(double* x, double* reference, double low, double high, int count) {
-  double any = 0.0;
-#pragma omp simd reduction(+ : any)
-  for (int k = 0; k < count; ++k) {
-    const double length = x[k] >= high ? high - low : x[k] < low ? low - high : 0.0;
-    x[k] -= length;
-    reference[k] -= length;
-    any += select(length != 0.0, 1.0, 0.0);
+/// Where a periodic axis begins and ends; the other axes have no end.
+struct Wrap {
+  PULVIS_INLINE explicit Wrap(const PlainStep& step) {
+    for (int axis = 0; axis < 3; ++axis)
+      if (step.periodic[axis]) {
+        low[axis] = step.low[axis], high[axis] = step.high[axis];
+        length[axis] = high[axis] - low[axis];
+      }
   }
-  return any != 0.0;
-}
+  /// What to take off where an axis was left.
+  PULVIS_INLINE static double off(double x, double low, double high, double length) {
+    return select(x >= high, length, select(x < low, -length, 0.0));
+  }
+  PULVIS_INLINE Vec3 off(const Vec3& x) const {
+    return {off(x.x, low.x, high.x, length.x), off(x.y, low.y, high.y, length.y),
+            off(x.z, low.z, high.z, length.z)};
+  }
+  Vec3 low{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}, high{HUGE_VAL, HUGE_VAL, HUGE_VAL}, length;
+};
 
 /// One parcel in its lane. What is noticed is counted in numbers as wide as the others: a whole number would have to be made
 /// of every comparison.
@@ -111,11 +120,16 @@ PULVIS_INLINE void kick_and_drift(ParcelLanes& b, int k, const PlainStep& step, 
   too_fast += select(dot(move, move) > 0.25 * (radius * radius), 1.0, 0.0);
 }
 
-PULVIS_INLINE void inspect(const ParcelLanes& b, int k, const PlainStep& step, double& outside,
-                           double& left) {
-  const Vec3 x = load(b.position, k), spin = load(b.spin, k);
-  const Vec3 apart = step.drift[1] - step.drift[0];
-  const Vec3 since = x - load(b.reference, k) - (step.drift[0] + b.second_crowd[k] * apart);
+/// Brings what left a periodic axis back, and its reference with it.
+PULVIS_INLINE void inspect(ParcelLanes& b, int k, const PlainStep& step, const Wrap& wrap, double& outside,
+                           double& left, double& wrapped) {
+  const Vec3 off = wrap.off(load(b.position, k));
+  const Vec3 x = load(b.position, k) - off, reference = load(b.reference, k) - off;
+  store(b.position, k, x);
+  store(b.reference, k, reference);
+  wrapped += select((off.x != 0.0) | (off.y != 0.0) | (off.z != 0.0), 1.0, 0.0);
+  const Vec3 spin = load(b.spin, k), apart = step.drift[1] - step.drift[0];
+  const Vec3 since = x - reference - (step.drift[0] + b.second_crowd[k] * apart);
   const double margin = b.margin[k];
   const bool inside = (x.x >= step.low.x) & (x.x <= step.high.x) & (x.y >= step.low.y) &
                       (x.y <= step.high.y) & (x.z >= step.low.z) & (x.z <= step.high.z) &
@@ -124,23 +138,33 @@ PULVIS_INLINE void inspect(const ParcelLanes& b, int k, const PlainStep& step, d
   left += select(dot(since, since) > margin * margin, 1.0, 0.0);
 }
 
+/// What tells whether the parcels two blocks behind these left their margins: that is read once in a step, too little at a
+/// time for the processor to foresee.
+static void ask_for_leeway(const SomeParcels& some, const Leeway& leeway) {
+  if (some.list) return;
+  const std::size_t next = some.first + 2 * block_size;
+  const char *reference = reinterpret_cast<const char*>(leeway.reference + next),
+             *margin = reinterpret_cast<const char*>(leeway.margin + next);
+  for (std::size_t at = 0; at < block_size * sizeof(Vec3); at += 64) __builtin_prefetch(reference + at);
+  for (std::size_t at = 0; at < block_size * sizeof(double); at += 64) __builtin_prefetch(margin + at);
+}
+
 static void move_parcels(const PlainStep& given, const SomeParcels& wanted, const Load* load, Parcel* parcels,
                          const Leeway& where, StepNotice& notice) {
   const PlainStep step = given;
   const SomeParcels some = wanted;
   const Leeway leeway = where;
   const int count = static_cast<int>(some.count);
+  const Wrap wrap(step);
   ParcelLanes b;
   read(b, some, load, parcels, leeway);
-  double too_fast = 0.0, outside = 0.0, left = 0.0;
+  ask_for_leeway(some, leeway);
+  double too_fast = 0.0, outside = 0.0, left = 0.0, off = 0.0;
 #pragma omp simd reduction(+ : too_fast)
   for (int k = 0; k < count; ++k) kick_and_drift(b, k, step, too_fast);
-  const bool wrapped =
-      (step.periodic[0] && wrap(b.position.x, b.reference.x, step.low.x, step.high.x, count)) |
-      (step.periodic[1] && wrap(b.position.y, b.reference.y, step.low.y, step.high.y, count)) |
-      (step.periodic[2] && wrap(b.position.z, b.reference.z, step.low.z, step.high.z, count));
-#pragma omp simd reduction(+ : outside, left)
-  for (int k = 0; k < count; ++k) inspect(b, k, step, outside, left);
+#pragma omp simd reduction(+ : outside, left, off)
+  for (int k = 0; k < count; ++k) inspect(b, k, step, wrap, outside, left, off);
+  const bool wrapped = off != 0.0;
   write(b, some, parcels);
   if (wrapped)
     for (int k = 0; k < count; ++k)
