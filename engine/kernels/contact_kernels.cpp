@@ -82,6 +82,34 @@ PULVIS_INLINE void evaluate_reach(ContactBlock& b, int k, const typename Part::P
                                 Part::separation_gap(touch, pair));
 }
 
+// A loop with a long chain of operations leaves the processor waiting, since it has no room for many contacts at a time. So some
+// parts say what can be had beforehand, and get a loop for that and another for the rest.
+/// A normal law that solves an equation in a few steps, after it has made a factor of R*.
+template <class Part>
+concept SolvesAnEquation = requires(const laws::Touch& touch, double x, const typename Part::Pair& pair) {
+  Part::size_factor(x);
+  Part::first_guess(Part::equation(x, x, x, pair));
+  Part::improved(x, x);
+  Part::normal(touch, x, x, pair);
+};
+/// What a spring would be without its limit.
+template <class Part>
+concept SlidesInTwoSteps = requires(const laws::Touch& touch, const Vec3& v) {
+  Part::trial(touch, v, v);
+};
+template <class Part>
+concept RollsInTwoSteps = requires(const laws::Touch& touch, const Vec3& v, const typename Part::Pair& pair) {
+  Part::trial(touch, 0.0, pair, v);
+};
+
+PULVIS_INLINE void put_normal(ContactBlock& b, int k, double touching, const laws::Normal& n) {
+  b.touching[k] = touching;
+  b.elastic[k] = n.elastic;
+  b.contact_size[k] = n.contact_size;
+  b.damping_size[k] = n.damping_size;
+  b.limit_shift[k] = n.limit_shift;
+}
+
 template <class Part>
 PULVIS_INLINE void evaluate_normal(ContactBlock& b, int k, const typename Part::Pair& pair) {
   laws::Touch touch;
@@ -90,14 +118,23 @@ PULVIS_INLINE void evaluate_normal(ContactBlock& b, int k, const typename Part::
   const double touching = laws::touches(touch.overlap, touch.was_touching, 0.0, gap);
   double plastic = 0.0, adhesion = 0.0;
   if constexpr (Part::remembers) plastic = b.memory->plastic[k], adhesion = b.memory->adhesion[k];
-  const laws::Normal n = Part::normal(touch, pair, plastic, adhesion);
-  b.touching[k] = touching;
-  b.elastic[k] = n.elastic;
-  b.contact_size[k] = n.contact_size;
-  b.damping_size[k] = n.damping_size;
-  b.limit_shift[k] = n.limit_shift;
+  put_normal(b, k, touching, Part::normal(touch, pair, plastic, adhesion));
   if constexpr (Part::remembers)
     b.memory->plastic[k] = touching * plastic, b.memory->adhesion[k] = touching * adhesion;
+}
+
+/// What a law has found of each contact that solves an equation.
+struct Solving {
+  alignas(64) Lane factor, equation, solution;
+};
+template <SolvesAnEquation Part>
+PULVIS_INLINE void evaluate_normal(ContactBlock& b, int k, const Solving& of,
+                                   const typename Part::Pair& pair) {
+  laws::Touch touch;
+  look(b, k, 0.0, touch);
+  const double gap = Part::separation_gap(touch.radius, of.factor[k], pair);
+  put_normal(b, k, laws::touches(touch.overlap, touch.was_touching, 0.0, gap),
+             Part::normal(touch, of.factor[k], of.solution[k], pair));
 }
 
 template <class Part>
@@ -128,17 +165,6 @@ PULVIS_INLINE void evaluate_cohesion(ContactBlock& b, int k, const typename Part
   b.limiting_force[k] = laws::limiting_force(b.limiting_force[k], b.contact_size[k], a, whole);
   if constexpr (Part::is_viscous) b.drag[k] = a.viscous_tangential;
 }
-
-/// Parts that say what a spring would be without its limit, `trial`, and then limit it get a loop for each: a loop with a long
-/// chain of operations leaves the processor waiting, since it has no room for many contacts at a time.
-template <class Part>
-concept SlidesInTwoSteps = requires(const laws::Touch& touch, const Vec3& v) {
-  Part::trial(touch, v, v);
-};
-template <class Part>
-concept RollsInTwoSteps = requires(const laws::Touch& touch, const Vec3& v, const typename Part::Pair& pair) {
-  Part::trial(touch, 0.0, pair, v);
-};
 
 template <class Part>
 PULVIS_INLINE void try_sliding(ContactBlock& b, int k, double dt) {
@@ -263,12 +289,34 @@ static void reach_stage(ContactBlock& b, const double* constants, double) {
   for (int k = 0; k < count; ++k) evaluate_reach<Part>(b, k, pair);
 }
 
+template <SolvesAnEquation Part>
+static void solve(ContactBlock& b, Solving& of, const typename Part::Pair& pair) {
+  const int count = b.count;
+#pragma omp simd
+  for (int k = 0; k < count; ++k) of.factor[k] = Part::size_factor(b.radius[k]);
+#pragma omp simd
+  for (int k = 0; k < count; ++k) {
+    of.equation[k] = Part::equation(b.overlap[k], b.radius[k], of.factor[k], pair);
+    of.solution[k] = Part::first_guess(of.equation[k]);
+  }
+  for (int step = 0; step < Part::improvements; ++step)
+#pragma omp simd
+    for (int k = 0; k < count; ++k) of.solution[k] = Part::improved(of.solution[k], of.equation[k]);
+}
+
 template <class Part>
 static void normal_stage(ContactBlock& b, const double* constants, double) {
   const auto pair = laws::unpack<typename Part::Pair>(constants, laws::Place::normal);
   const int count = b.count;
+  if constexpr (SolvesAnEquation<Part>) {
+    Solving of;
+    solve<Part>(b, of, pair);
 #pragma omp simd
-  for (int k = 0; k < count; ++k) evaluate_normal<Part>(b, k, pair);
+    for (int k = 0; k < count; ++k) evaluate_normal<Part>(b, k, of, pair);
+  } else {
+#pragma omp simd
+    for (int k = 0; k < count; ++k) evaluate_normal<Part>(b, k, pair);
+  }
 }
 
 template <class Part>

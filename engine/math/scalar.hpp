@@ -27,22 +27,27 @@ PULVIS_INLINE double nearest_whole(double x) {
 /// Square root; IEEE 754 rounds it correctly, so no library version can differ.
 PULVIS_INLINE double root(double a) { return __builtin_sqrt(a); }
 
-/// Cube root of a number from 1e-307 to 5e307 (0 gives 0) in plain arithmetic; error below 1 ulp.
-/// The first guess divides the exponent by three in the bit pattern (error below 4 %); three steps of
-/// Halley's method do the rest (cubic convergence: 4e-2, 5e-5, 1e-13, rounding). Each step subtracts a small
-/// correction, so the last one adds little rounding of its own; the usual form, a factor times x, loses 3
-/// ulp.
-PULVIS_INLINE double cube_root(double a) {
+/// a^(-1/3) of a number from 1e-307 to 5e307 in plain arithmetic; error below 1.1 ulp. The first guess divides the exponent
+/// by three in the bit pattern (error below 3.5 %); two steps with a series of fourth order do the rest (2e-5, rounding). No
+/// step divides: a division keeps the processor as long as a dozen multiplications.
+PULVIS_INLINE double inverse_cube_root(double a) {
   const auto bits = __builtin_bit_cast(std::int64_t, a);
   const auto high = static_cast<std::int32_t>(bits >> 32);
   const auto third = static_cast<std::int32_t>(static_cast<double>(high) * (1.0 / 3.0));
-  const auto guess = static_cast<std::int64_t>(third + 715094163) << 32;  // 2/3 of the exponent bias, shifted
+  const auto guess = static_cast<std::int64_t>(1430188164 - third) << 32;  // 4/3 of the exponent bias, shifted
   double x = __builtin_bit_cast(double, guess);
-  for (int step = 0; step < 3; ++step) {
-    const double cube = x * x * x;
-    x = x - x * ((cube - a) / (cube + cube + a));
+  for (int step = 0; step < 2; ++step) {
+    const double rest = 1.0 - a * (x * x * x);  // x (1 - rest)^(-1/3) would be exact
+    x = x + x * (rest * (1.0 / 3.0 + rest * (2.0 / 9.0 + rest * (14.0 / 81.0))));
   }
-  return a > 0.0 ? x : 0.0;
+  return x;
+}
+
+/// Cube root of a number from 1e-307 to 5e307 (0 gives 0) in plain arithmetic; error below 1 ulp. Newton's step at the end takes
+/// off what rounding left.
+PULVIS_INLINE double cube_root(double a) {
+  const double inverse = inverse_cube_root(a), square = inverse * inverse, x = a * square;
+  return a > 0.0 ? x - (x * x * x - a) * (square * (1.0 / 3.0)) : 0.0;
 }
 
 }  // namespace pulvis
