@@ -67,15 +67,14 @@ void kernel_of(benchmark::State& state, const NamedLaw& law, InstructionSet set)
   const laws::PairConstants constants = whole.mix(material_of(law), law.parts.choices);
   const kernels::ContactKernel kernel = kernels::contact_kernel(whole, set);
   auto block = std::make_unique<kernels::SeparateBlock>();
-  block->count = block_size;
-  std::vector<PairLoad> loads(block_size);
-  std::vector<std::uint32_t> places(block_size);
-  std::iota(places.begin(), places.end(), 0u);
-  std::fill_n(block->touching, block_size, 1.0);
+  std::vector<Load> loads(2 * block_size);
+  std::vector<kernels::Places> places(block_size);
+  for (std::uint32_t k = 0; k < block_size; ++k) places[k] = {2 * k, 2 * k + 1};
+  std::vector<std::uint8_t> touching(block_size, 1);
   for (auto _ : state) {
-    kernel.gather(*block, parcels.body.data(), first.data(), second.data(), 0);
+    kernel.gather(*block, parcels.body.data(), {block_size, first.data(), second.data(), touching.data(), 0});
     kernel.parcels(*block, constants.data(), dt);
-    kernel.scatter(*block, loads.data(), places.data(), nullptr);
+    kernel.scatter(*block, places.data(), loads.data(), touching.data(), nullptr);
     benchmark::DoNotOptimize(loads.data());
     benchmark::ClobberMemory();
   }
@@ -131,10 +130,9 @@ void sweep_over_pairs(benchmark::State& state, bool without_law) {
   std::vector<ContactClass> one = bed.classes.all();
   if (without_law) {
     one[0].kernel = {};
-    one[0].kernel.gather = [](kernels::ContactBlock&, const Parcel*, const std::uint32_t*,
-                              const std::uint32_t*, int) {};
+    one[0].kernel.gather = [](kernels::ContactBlock&, const Parcel*, const kernels::SomePairs&) {};
     one[0].kernel.geometry = [](kernels::ContactBlock&, const double*, double) {};
-    one[0].kernel.glance = [](const kernels::PairsApart&, const Parcel*, const Images&, double,
+    one[0].kernel.glance = [](const kernels::SomePairs&, const Parcel*, const Images&, double,
                               std::uint8_t*) { return 0; };
     one[0].kernel.any_in_reach = [](const kernels::ContactBlock&, double) { return false; };
   }

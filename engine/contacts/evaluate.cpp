@@ -23,9 +23,9 @@ void keep_history(const ContactBlock& b, int k, std::uint32_t slot, NearWalls& n
   put_past_at(near.history, near.memory, slot, kernels::past_of(*b.springs, b.memory, k));
 }
 
-/// Evaluates `b.count` slots from `begin` on, which are one block of near pairs, where they stand. Pairs that do not
+/// Evaluates `count` slots from `begin` on, which are one block of near pairs, where they stand. Pairs that do not
 /// touch are carried along: to tell them apart would cost more.
-void evaluate_block(ContactBlock& b, std::size_t begin, NearPairs& near, const StepOfPairs& step,
+void evaluate_block(ContactBlock& b, std::size_t begin, int count, NearPairs& near, const StepOfPairs& step,
                     double approach) {
   const kernels::ContactKernel& kernel = step.contact.kernel;
   const double* constants = step.contact.constants.data();
@@ -33,19 +33,18 @@ void evaluate_block(ContactBlock& b, std::size_t begin, NearPairs& near, const S
   b.springs = &near.pasts.springs[block];
   if (begin + kernels::block_size < near.first_apart()) kernels::ask_for(near.pasts.springs[block + 1]);
   if (near.pasts.remembers) b.memory = &near.pasts.memory[block];
-  std::uint8_t* touching = &near.touching[begin];
-  for (int k = 0; k < b.count; ++k) b.touching[k] = touching[k];
-  kernel.gather(b, step.parcels.body.data(), &near.first[begin], &near.second[begin], near.ahead_of(begin));
+  kernel.gather(b, step.parcels.body.data(), near.some(begin, count));
   if (b.slide.any()) kernel.images(b, constants, step.dt);
   kernel.geometry(b, constants, step.dt);
   if (!kernel.any_in_reach(b, approach)) {
     // Another contact's load may lie in their places.
-    for (int k = 0; k < b.count; ++k) near.load[near.place[begin + static_cast<std::size_t>(k)]] = {};
+    for (std::size_t slot = begin; slot < begin + static_cast<std::size_t>(count); ++slot)
+      near.load[near.places[slot].first] = near.load[near.places[slot].second] = {};
     return;
   }
   kernel.evaluate(b, constants, step.dt);
-  for (int k = 0; k < b.count; ++k) touching[k] = b.touching[k] > 0.5;
-  kernel.scatter(b, near.load.data(), &near.place[begin], near.force.empty() ? nullptr : &near.force[begin]);
+  kernel.scatter(b, &near.places[begin], near.load.data(), &near.touching[begin],
+                 near.force.empty() ? nullptr : &near.force[begin]);
 }
 
 void stage_pair(Meeting& meeting, std::uint32_t slot, const NearPairs& near) {
@@ -54,7 +53,7 @@ void stage_pair(Meeting& meeting, std::uint32_t slot, const NearPairs& near) {
   meeting.first[k] = near.first[slot];
   meeting.second[k] = near.second[slot];
   b.slot[k] = slot;
-  b.touching[k] = near.touching[slot];
+  meeting.touching[k] = near.touching[slot];
   kernels::put_past(*b.springs, b.memory, k, near.pasts.of(slot));
 }
 
@@ -68,7 +67,7 @@ void finish_pairs(Meeting& meeting, NearPairs& near, const StepOfPairs& step) {
   ContactBlock& b = meeting.block;
   const kernels::ContactKernel& kernel = step.contact.kernel;
   const double* constants = step.contact.constants.data();
-  kernel.gather(b, step.parcels.body.data(), meeting.first, meeting.second, 0);
+  kernel.gather(b, step.parcels.body.data(), {b.count, meeting.first, meeting.second, meeting.touching, 0});
   if (b.slide.any()) kernel.images(b, constants, step.dt);
   kernel.parcels(b, constants, step.dt);
   for (int k = 0; k < b.count; ++k) {
@@ -153,11 +152,15 @@ Load ContactEvaluator::sum_all(const NearPairs& near, const Parcels& parcels, st
   const auto add = [&](std::uint32_t entry) {
     const std::size_t slot = entry >> 1;
     if (!near.touching[slot]) return;
-    const PairLoad& load =
-        slot < near.first_apart() ? near.load[near.place[slot]] : near.pasts.met_at(slot)->load;
     const bool is_second = entry & 1u;
-    sum.force += is_second ? -load.force : load.force;
-    sum.torque += is_second ? load.torque_second : load.torque_first;
+    if (slot < near.first_apart()) {
+      const Load& load = near.load[is_second ? near.places[slot].second : near.places[slot].first];
+      sum.force += load.force, sum.torque += load.torque;
+    } else {
+      const PairLoad& load = near.pasts.met_at(slot)->load;
+      sum.force += is_second ? -load.force : load.force;
+      sum.torque += is_second ? load.torque_second : load.torque_first;
+    }
   };
   auto late = near.waiting_of(parcel);
   for (std::uint32_t k = near.begin[parcel]; k < near.begin[parcel + 1]; ++k) {
@@ -175,8 +178,8 @@ void ContactEvaluator::pairs_close(NearPairs& near, std::size_t from, std::size_
   b.period = step.images.periods.length;
   b.slide = step.images.slide;
   for (std::size_t begin = from; begin < to; begin += kernels::block_size) {
-    b.count = static_cast<int>(std::min<std::size_t>(kernels::block_size, to - begin));
-    evaluate_block(b, begin, near, step, approach_);
+    const int count = static_cast<int>(std::min<std::size_t>(kernels::block_size, to - begin));
+    evaluate_block(b, begin, count, near, step, approach_);
   }
 }
 
@@ -192,9 +195,8 @@ template <class Found>
 void ContactEvaluator::glance(const NearPairs& near, std::size_t begin, int count, const StepOfPairs& step,
                               Found&& found) const {
   std::uint8_t met[kernels::block_size];
-  const int n = step.contact.kernel.glance(
-      {count, &near.first[begin], &near.second[begin], &near.touching[begin], near.ahead_of(begin)},
-      step.parcels.body.data(), step.images, approach_, met);
+  const int n = step.contact.kernel.glance(near.some(begin, count), step.parcels.body.data(), step.images,
+                                           approach_, met);
   for (int k = 0; k < n; ++k) found(static_cast<std::uint32_t>(begin + met[k]));
 }
 

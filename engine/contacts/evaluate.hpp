@@ -31,6 +31,7 @@ struct StepOfPairs {
 struct Meeting {
   kernels::SeparateBlock block;
   std::uint32_t first[kernels::block_size], second[kernels::block_size];  ///< parcels
+  std::uint8_t touching[kernels::block_size];
 };
 
 /// Evaluates all contacts of a step in blocks of one contact class each: close pairs where their slots
@@ -50,8 +51,7 @@ class ContactEvaluator {
   void pairs_late(NearPairs& near, const ContactClasses& classes, const StepOfPairs& step);
   /// What pairs do to some parcels, but for those apart; and what all near pairs do to one.
   void sum_close(const NearPairs& near, const kernels::SomeParcels& some, Load* sum) const {
-    parcel_kernel_.sum_of_pairs({near.load.data(), near.summand_begin.data(), near.summand.data()}, some,
-                                sum);
+    parcel_kernel_.sum_of_pairs({near.load.data(), near.runs.data()}, some, sum);
   }
   static Load sum_all(const NearPairs& near, const Parcels& parcels, std::uint32_t parcel);
   /// Takes parcels from the end of one step to the middle of the next.

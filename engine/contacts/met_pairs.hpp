@@ -8,6 +8,12 @@
 
 namespace pulvis {
 
+/// What a pair contact does to its two parcels, about their centres: N, N m.
+struct PairLoad {
+  Vec3 force;  ///< on the first; the second gets the opposite
+  Vec3 torque_first, torque_second;
+};
+
 /// What contacts of pairs remember and do that were apart when the lists were made and met since. They are few, so room is
 /// found for them when they meet rather than kept for every pair. Parts of the work that go on at once have each their own
 /// number, and each pair always belongs to the same. A part holds less than 2^32 contacts over the number of parts.
@@ -15,7 +21,7 @@ class MetPairs {
  public:
   struct Contact {
     laws::Past past;
-    kernels::PairLoad load;
+    PairLoad load;
   };
 
   /// Forgets all; there are `pairs` that could meet, and soon perhaps `more`.

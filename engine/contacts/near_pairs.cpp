@@ -48,74 +48,82 @@ void NearPairs::divide(int threads) {
     if (divided_[i]) divided_ones_.push_back(static_cast<std::uint32_t>(i));
 }
 
-/// Numbers the places of a share from 0, and returns how many there are. A place is given to another slot
-/// once both parcels have been summed up; divided ones are so at the end of the step only.
-std::uint32_t NearPairs::number_places(int part) {
+/// For each parcel of a share, the first of the parcels that are not summed up yet when the first of its loads is made.
+std::vector<std::size_t> NearPairs::begins_of_runs(int part) const {
+  const auto [from, to] = share(part);
+  std::vector<std::size_t> begins(to - from, to);
+  std::size_t done = from;
+  const auto note = [&, from = from, to = to](std::size_t parcel) {
+    if (parcel >= from && parcel < to) begins[parcel - from] = std::min(begins[parcel - from], done);
+  };
   std::vector<std::size_t> cursors(groups());
-  std::vector<std::uint32_t> free;
-  std::uint32_t count = 0;
-  const auto give = [&](std::size_t group, std::size_t from, std::size_t to) {
-    if (are_apart(group)) return;
-    for (std::size_t slot = from; slot < to; ++slot) {
-      if (free.empty()) {
-        place[slot] = count++;
-      } else {
-        place[slot] = free.back();
-        free.pop_back();
-      }
-    }
+  go_through(
+      part, cursors,
+      [&](std::size_t group, std::size_t slots_from, std::size_t slots_to) {
+        if (are_apart(group)) return;
+        for (std::size_t slot = slots_from; slot < slots_to; ++slot) note(first[slot]), note(second[slot]);
+      },
+      [&](std::size_t, std::size_t end) { done = end; });
+  return begins;
+}
+
+/// Lays out the runs of a share from 0 on, and returns how many loads that takes. Runs that are needed while no more than
+/// `most` parcels are summed up go round in a ring, in the order of the store, which is as long as ever is needed at the same
+/// time; one that begins in the ring may end behind it. The others, and those of divided parcels, which are summed up at the
+/// end of the step only, have places of their own.
+std::uint32_t NearPairs::lay_out_runs(int part, std::span<const std::size_t> begins, std::size_t most) {
+  const auto [from, to] = share(part);
+  const auto goes_round = [&, from = from](std::size_t i) {
+    return !divided(i) && i < begins[i - from] + most;
   };
-  const auto take_back = [&](std::size_t from, std::size_t to) {
-    for (std::size_t i = from; i < to; ++i) {
-      if (divided(i)) continue;
-      for (std::uint32_t k = begin[i]; k < begin[i + 1]; ++k) {
-        const std::size_t slot = entry[k] >> 1;
-        if (slot >= first_apart()) continue;
-        const std::size_t other = entry[k] & 1u ? first[slot] : second[slot];
-        if (other < i && !divided(other)) free.push_back(place[slot]);
-      }
+  std::uint32_t apart = 0, longest = 0, ring = 1;
+  std::vector<std::uint32_t> before{0};  // loads of those in the ring
+  for (std::size_t i = from; i < to; ++i) {
+    const bool round = goes_round(i);
+    before.push_back(before.back() + (round ? runs[i].count : 0));
+    if (!round) {
+      runs[i].begin = std::exchange(apart, apart + runs[i].count);
+    } else if (runs[i].count > 0) {
+      longest = std::max(longest, runs[i].count);
+      ring = std::max(ring, before.back() - before[begins[i - from] - from]);
     }
-  };
-  go_through(part, cursors, give, take_back);
-  return count;
+  }
+  for (std::size_t i = from; i < to; ++i)
+    if (goes_round(i)) runs[i].begin = apart + before[i - from] % ring;
+  return apart + ring + longest;
+}
+
+/// With the longest way through the ring that makes the fewest loads: across a periodic boundary a few are far.
+std::uint32_t NearPairs::lay_out_runs(int part) {
+  const std::vector<std::size_t> begins = begins_of_runs(part);
+  std::size_t best = begins.size() + 1;
+  std::uint32_t fewest = lay_out_runs(part, begins, best);
+  for (std::size_t most = begins.size() / 2; most > parcels_at_once; most /= 2)
+    if (const std::uint32_t loads = lay_out_runs(part, begins, most); loads < fewest)
+      fewest = loads, best = most;
+  return lay_out_runs(part, begins, best);
 }
 
 void NearPairs::assign_places() {
-  place.assign(first_apart(), 0);
-  std::vector<std::uint32_t> places_of(static_cast<std::size_t>(shares_));
-  parallel_parts(shares_, [&](int part) { places_of[static_cast<std::size_t>(part)] = number_places(part); });
-  std::uint32_t count = 0;
-  // One between shares stays unused: of a load in the last place a sum reads one number too many.
-  for (std::uint32_t& of_part : places_of) of_part = std::exchange(count, count + of_part + 1);
-  parallel_parts(shares_, [&](int part) {
-    std::vector<std::size_t> cursors(groups());
-    const std::uint32_t before = places_of[static_cast<std::size_t>(part)];
-    const auto shift = [&](std::size_t group, std::size_t from, std::size_t to) {
-      if (are_apart(group)) return;
-      for (std::size_t slot = from; slot < to; ++slot) place[slot] += before;
-    };
-    if (before > 0) go_through(part, cursors, shift, [](std::size_t, std::size_t) {});
-  });
-  load.assign(count + 1, {});
-  list_summands();
-}
-
-void NearPairs::list_summands() {
-  const std::size_t count = begin.size() - 1, first_one_apart = first_apart();
-  summand_begin.assign(count + 1, 0);
+  const std::size_t count = begin.size() - 1;
+  const auto is_close = [&](std::uint32_t k) { return (entry[k] >> 1) < first_apart(); };
+  runs.assign(count, {});
   parallel_shares(count, shares_, [&](std::size_t from, std::size_t to, int) {
     for (std::size_t i = from; i < to; ++i)
-      for (std::uint32_t k = begin[i]; k < begin[i + 1]; ++k)
-        summand_begin[i + 1] += (entry[k] >> 1) < first_one_apart;
+      for (std::uint32_t k = begin[i]; k < begin[i + 1]; ++k) runs[i].count += is_close(k);
   });
-  for (std::size_t i = 0; i < count; ++i) summand_begin[i + 1] += summand_begin[i];
-  summand.assign(summand_begin[count] + kernels::summands_ahead, 0);
-  parallel_shares(count, shares_, [&](std::size_t from, std::size_t to, int) {
+  std::vector<std::uint32_t> before(static_cast<std::size_t>(shares_));
+  parallel_parts(shares_, [&](int part) { before[static_cast<std::size_t>(part)] = lay_out_runs(part); });
+  std::uint32_t loads = 0;
+  for (std::uint32_t& of_part : before) of_part = std::exchange(loads, loads + of_part);
+  load.assign(loads, {});
+  places.assign(first_apart(), {});
+  parallel_parts(shares_, [&](int part) {
+    const auto [from, to] = share(part);
     for (std::size_t i = from; i < to; ++i) {
-      std::uint32_t at = summand_begin[i];
+      std::uint32_t at = runs[i].begin += before[static_cast<std::size_t>(part)];
       for (std::uint32_t k = begin[i]; k < begin[i + 1]; ++k)
-        if (const std::size_t slot = entry[k] >> 1; slot < first_one_apart)
-          summand[at++] = 2 * place[slot] + (entry[k] & 1u);
+        if (is_close(k)) (entry[k] & 1u ? places[entry[k] >> 1].second : places[entry[k] >> 1].first) = at++;
     }
   });
 }

@@ -15,8 +15,6 @@
 
 namespace pulvis {
 
-using kernels::PairLoad;
-
 /// Pairs of parcels that touch or could before the next rebuild. Each pair has one slot; each parcel has a list of its
 /// slots, sorted by the partner's id, so that sums run in the same order whatever the lists contain besides. Slots of one
 /// group lie together and each group begins a new block of the kernels; slots that only fill a block up belong to no entry
@@ -122,10 +120,11 @@ class NearPairs {
   std::size_t groups() const { return group_begin.size(); }
   /// The share whose way goes through a slot.
   int part_of(std::size_t slot) const;
-  /// How many slots there are in the block behind the one that begins with `slot`.
-  int ahead_of(std::size_t slot) const {
+  /// The slots from `from` on, which begins a block, as kernels take them.
+  kernels::SomePairs some(std::size_t from, int count) const {
     constexpr std::size_t block = kernels::block_size;
-    return static_cast<int>(std::min(block, slots() - std::min(slots(), slot + block)));
+    const std::size_t ahead = std::min(block, slots() - std::min(slots(), from + block));
+    return {count, &first[from], &second[from], &touching[from], static_cast<int>(ahead)};
   }
 
   /// Force on the first of a pair at the end of the last step, N, if that kept the forces; else zero.
@@ -138,11 +137,8 @@ class NearPairs {
   std::vector<std::uint8_t> touching;
 
   // Of close pairs, slots up to first_apart().
-  std::vector<Vec3> force;           ///< on the first; empty where nobody asked for them
-  std::vector<std::uint32_t> place;  ///< where its load lies while it is needed
-  /// In places. A load is needed until both parcels have been summed up; then another contact takes its place, so that
-  /// there are about as many as a slice or two of the powder has pairs. The last stays unused.
-  std::vector<PairLoad> load;
+  std::vector<Vec3> force;              ///< on the first; empty where nobody asked for them
+  std::vector<kernels::Places> places;  ///< where what it does to its parcels lies while it is needed
 
   Pasts pasts;  ///< by slot
 
@@ -152,9 +148,12 @@ class NearPairs {
   // Per parcel: entries [begin[k], begin[k + 1]) of `entry`, partners' ids ascending.
   std::vector<std::uint32_t> begin;
   std::vector<std::uint32_t> entry;  ///< 2 slot + (1 if the parcel is the second)
-  /// Those of close pairs alone, with places for slots: [summand_begin[k], summand_begin[k + 1]), and some more at the end.
-  std::vector<std::uint32_t> summand_begin, summand;
-  std::vector<std::uint8_t> meets;  ///< touches one of those that were apart, in this step
+  std::vector<kernels::Run> runs;    ///< of loads of its close pairs, in the order of entries
+  std::vector<std::uint8_t> meets;   ///< touches one of those that were apart, in this step
+
+  /// In runs. A parcel's is needed from the first of its slots that is evaluated until it has been summed up; then another
+  /// parcel's takes its place, so that there are about as many as a slice or two of the powder has.
+  std::vector<Load> load;
 
  private:
   /// Where a pair stands in the list of one of its parcels, while slots are assigned.
@@ -171,8 +170,9 @@ class NearPairs {
   std::uint32_t owner_of_block(std::size_t slot) const;
   void divide(int threads);
   void assign_places();
-  void list_summands();
-  std::uint32_t number_places(int part);
+  std::vector<std::size_t> begins_of_runs(int part) const;
+  std::uint32_t lay_out_runs(int part, std::span<const std::size_t> begins, std::size_t most);
+  std::uint32_t lay_out_runs(int part);
 
   std::vector<std::uint32_t> own_end_;  ///< [row_[group] + parcel], of groups that have slots
   std::vector<std::size_t> row_;

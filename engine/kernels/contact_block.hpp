@@ -56,12 +56,6 @@ PULVIS_INLINE void put_past(Springs& springs, MemoryLanes* memory, int k, const 
     memory->plastic[k] = past.plastic, memory->adhesion[k] = past.adhesion, memory->grip[k] = past.grip;
 }
 
-/// What a pair contact does to its two parcels, about their centres: N, N m.
-struct PairLoad {
-  Vec3 force;  ///< on the first; the second gets the opposite
-  Vec3 torque_first, torque_second;
-};
-
 /// Contacts of one pair of species, side by side, so that a law is evaluated on many at once. SI; symbols as in
 /// laws::Touch.
 struct ContactBlock {
@@ -114,13 +108,17 @@ struct SeparateBlock : ContactBlock {
   MemoryLanes own_memory;
 };
 
-/// Up to block_size pairs that are near but hardly touch.
-struct PairsApart {
+/// Up to block_size near pairs.
+struct SomePairs {
   int count;
-  const std::uint32_t *first,
-      *second;  ///< indices of parcels; memory is asked for those of `ahead` more behind them
-  const std::uint8_t* touching;
-  int ahead;
+  const std::uint32_t *first, *second;  ///< indices of parcels
+  const std::uint8_t* touching;         ///< before this step
+  int ahead;  ///< memory is asked for the parcels of so many more that stand behind a whole block
+};
+
+/// Where what a pair does to its two parcels lies among the loads.
+struct Places {
+  std::uint32_t first, second;
 };
 
 /// A law as stages, each a loop over the block, in the order of laws/contact_law.hpp. One set of stages for each
@@ -129,19 +127,18 @@ class ContactKernel {
  public:
   using Stage = void (*)(ContactBlock& block, const double* pair_constants, double dt);
 
-  /// Fills a block with the parcels `first[k]`, `second[k]`, k < count, and asks memory for those of the `ahead` slots
-  /// behind the block.
-  using Gather = void (*)(ContactBlock& block, const Parcel* parcels, const std::uint32_t* first,
-                          const std::uint32_t* second, int ahead);
+  /// Fills a block with pairs, but for what they remember.
+  using Gather = void (*)(ContactBlock& block, const Parcel* parcels, const SomePairs& pairs);
   /// Whether any contact of the block exists or is nearer than `approach` (m).
   using Look = bool (*)(const ContactBlock& block, double approach);
   /// Finds those of the pairs that exist or are nearer than `approach` (m), up to rounding: writes their numbers from 0
   /// on to `met`, ascending, and returns how many. Looks at places and radii alone.
-  using Glance = int (*)(const PairsApart& pairs, const Parcel* parcels, const Images& images,
-                         double approach, std::uint8_t* met);
-  /// Brings the results to each contact's place, load[place[k]], and the forces also to force[k] unless that is null.
-  using Scatter = void (*)(const ContactBlock& block, PairLoad* load, const std::uint32_t* place,
-                           Vec3* force);
+  using Glance = int (*)(const SomePairs& pairs, const Parcel* parcels, const Images& images, double approach,
+                         std::uint8_t* met);
+  /// Brings the results to each contact's places among the loads, whether it touches to touching[k], and the force on its
+  /// first to force[k] unless that is null.
+  using Scatter = void (*)(const ContactBlock& block, const Places* places, Load* load,
+                           std::uint8_t* touching, Vec3* force);
 
   /// Contacts of parcels, gathered.
   void parcels(ContactBlock& block, const double* pair_constants, double dt) const {

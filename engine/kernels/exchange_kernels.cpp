@@ -7,17 +7,24 @@
 namespace pulvis::kernels {
 namespace PULVIS_ISA {
 
-/// The records of the pairs k to k + 3 of `count`; what is left over repeats the last.
+/// The records of the pairs k to k + 3; of what is left over, those of the last repeat.
 struct FourPairs {
-  [[gnu::always_inline]] FourPairs(const Parcel* parcels, const std::uint32_t* firsts,
-                                   const std::uint32_t* seconds, int k, int count) {
-    for (int j = 0; j < 4; ++j) {
-      const int lane = k + j < count ? k + j : count - 1;
-      first[j] = reinterpret_cast<const double*>(parcels + firsts[lane]);
-      second[j] = reinterpret_cast<const double*>(parcels + seconds[lane]);
-    }
+  PULVIS_INLINE FourPairs(const SomePairs& pairs, const Parcel* parcels, int k) {
+    for (int j = 0; j < 4; ++j) put(pairs, parcels, j, k + j);
+  }
+  PULVIS_INLINE static FourPairs at_the_end(const SomePairs& pairs, const Parcel* parcels, int k) {
+    FourPairs four;
+    for (int j = 0; j < 4; ++j) four.put(pairs, parcels, j, k + j < pairs.count ? k + j : pairs.count - 1);
+    return four;
   }
   const double *first[4], *second[4];
+
+ private:
+  PULVIS_INLINE FourPairs() : first(), second() {}
+  PULVIS_INLINE void put(const SomePairs& pairs, const Parcel* parcels, int j, int lane) {
+    first[j] = &parcels[pairs.first[lane]].position.x;
+    second[j] = &parcels[pairs.second[lane]].position.x;
+  }
 };
 
 PULVIS_INLINE void put_offsets(Lanes3& offset, int k, Quartet first_at, Quartet second_at) {
@@ -26,55 +33,75 @@ PULVIS_INLINE void put_offsets(Lanes3& offset, int k, Quartet first_at, Quartet 
   put_four(offset.z + k, second_at.c - first_at.c);
 }
 
-static void gather(ContactBlock& b, const Parcel* parcels, const std::uint32_t* first,
-                   const std::uint32_t* second, int ahead) {
-  const int count = b.count;
-  for (int k = block_size; k < block_size + ahead;
-       ++k) {  // what the next block needs lies all over the store
-    ask_for(parcels[first[k]]);
-    ask_for(parcels[second[k]]);
-  }
-  for (int k = 0; k < count; k += 4) {
-    const FourPairs of(parcels, first, second, k, count);
-    const Quartet p_at = quartet(of.first, 0), q_at = quartet(of.second, 0);
-    put_offsets(b.offset, k, p_at, q_at);
-    put_four(b.radius_first + k, p_at.d);
-    put_four(b.radius_second + k, q_at.d);
-    const Quartet p_speed = quartet(of.first, 4), q_speed = quartet(of.second, 4);
-    put_four(b.velocity.x + k, p_speed.a - q_speed.a);
-    put_four(b.velocity.y + k, p_speed.b - q_speed.b);
-    put_four(b.velocity.z + k, p_speed.c - q_speed.c);
-    put_four(b.mass_first + k, p_speed.d);
-    put_four(b.mass_second + k, q_speed.d);
-    // The fourth of these are ids, which nobody asks for.
-    const Quartet p_spin = quartet(of.first, 8), q_spin = quartet(of.second, 8);
-    put_four(b.spin_first.x + k, p_spin.a);
-    put_four(b.spin_first.y + k, p_spin.b);
-    put_four(b.spin_first.z + k, p_spin.c);
-    put_four(b.spin_second.x + k, q_spin.a);
-    put_four(b.spin_second.y + k, q_spin.b);
-    put_four(b.spin_second.z + k, q_spin.c);
-  }
+PULVIS_INLINE void gather_four(ContactBlock& b, int k, const FourPairs& of) {
+  const Quartet p_at = quartet(of.first, 0), q_at = quartet(of.second, 0);
+  put_offsets(b.offset, k, p_at, q_at);
+  put_four(b.radius_first + k, p_at.d);
+  put_four(b.radius_second + k, q_at.d);
+  const Quartet p_speed = quartet(of.first, 4), q_speed = quartet(of.second, 4);
+  put_four(b.velocity.x + k, p_speed.a - q_speed.a);
+  put_four(b.velocity.y + k, p_speed.b - q_speed.b);
+  put_four(b.velocity.z + k, p_speed.c - q_speed.c);
+  put_four(b.mass_first + k, p_speed.d);
+  put_four(b.mass_second + k, q_speed.d);
+  // The fourth of these are ids, which nobody asks for.
+  const Quartet p_spin = quartet(of.first, 8), q_spin = quartet(of.second, 8);
+  put_four(b.spin_first.x + k, p_spin.a);
+  put_four(b.spin_first.y + k, p_spin.b);
+  put_four(b.spin_first.z + k, p_spin.c);
+  put_four(b.spin_second.x + k, q_spin.a);
+  put_four(b.spin_second.y + k, q_spin.b);
+  put_four(b.spin_second.z + k, q_spin.c);
 }
 
-static void scatter(const ContactBlock& b, PairLoad* load, const std::uint32_t* place, Vec3* force) {
-  int k = 0;
-  for (; k + 4 <= b.count; k += 4) {
-    double* to[4];
-    for (int j = 0; j < 4; ++j) to[j] = &load[place[k + j]].force.x;
-    put_quartet(to, 0,
-                {four_at(b.force.x + k), four_at(b.force.y + k), four_at(b.force.z + k),
-                 four_at(b.torque_first.x + k)});
-    put_quartet(to, 4,
-                {four_at(b.torque_first.y + k), four_at(b.torque_first.z + k), four_at(b.torque_second.x + k),
-                 four_at(b.torque_second.y + k)});
-    for (int j = 0; j < 4; ++j) to[j][8] = b.torque_second.z[k + j];
+static void gather(ContactBlock& b, const Parcel* parcels, const SomePairs& given) {
+  const SomePairs pairs = given;
+  const int count = pairs.count;
+  b.count = count;
+  for (int k = block_size; k < block_size + pairs.ahead;
+       ++k) {  // what the next block needs lies all over the store
+    ask_for(parcels[pairs.first[k]]);
+    ask_for(parcels[pairs.second[k]]);
   }
-  for (; k < b.count; ++k)
-    load[place[k]] = {kernels::load(b.force, k), kernels::load(b.torque_first, k),
-                      kernels::load(b.torque_second, k)};
+#pragma omp simd
+  for (int k = 0; k < count; ++k) b.touching[k] = pairs.touching[k];
+  int k = 0;
+  for (; k + 4 <= count; k += 4) gather_four(b, k, FourPairs(pairs, parcels, k));
+  if (k < count) gather_four(b, k, FourPairs::at_the_end(pairs, parcels, k));
+}
+
+/// The loads on the parcels of the contacts k to k + 3.
+static void scatter_four(const ContactBlock& b, int k, const Places* places, Load* load) {
+  double *first[4], *second[4];
+  for (int j = 0; j < 4; ++j) {
+    first[j] = &load[places[k + j].first].force.x;
+    second[j] = &load[places[k + j].second].force.x;
+  }
+  const Four x = four_at(b.force.x + k), y = four_at(b.force.y + k), z = four_at(b.force.z + k);
+  put_quartet(first, 0, {x, y, z, four_at(b.torque_first.x + k)});
+  put_quartet(second, 0, {-x, -y, -z, four_at(b.torque_second.x + k)});
+  Quartet rest{four_at(b.torque_first.y + k), four_at(b.torque_first.z + k), four_at(b.torque_second.y + k),
+               four_at(b.torque_second.z + k)};
+  transpose(rest.a, rest.b, rest.c, rest.d);
+  const Four rows[4] = {rest.a, rest.b, rest.c, rest.d};
+  for (int j = 0; j < 4; ++j)
+    put_two(first[j] + 4, first_two(rows[j])), put_two(second[j] + 4, last_two(rows[j]));
+}
+
+static void scatter(const ContactBlock& b, const Places* places, Load* load, std::uint8_t* touching,
+                    Vec3* force) {
+  const int count = b.count;
+  int k = 0;
+  for (; k + 4 <= count; k += 4) scatter_four(b, k, places, load);
+  for (; k < count; ++k) {
+    const Vec3 on_first = kernels::load(b.force, k);
+    load[places[k].first] = {on_first, kernels::load(b.torque_first, k)};
+    load[places[k].second] = {-on_first, kernels::load(b.torque_second, k)};
+  }
+#pragma omp simd
+  for (k = 0; k < count; ++k) touching[k] = b.touching[k] > 0.5;
   if (!force) return;
-  for (k = 0; k < b.count; ++k) force[k] = kernels::load(b.force, k);
+  for (k = 0; k < count; ++k) force[k] = kernels::load(b.force, k);
 }
 
 /// Where the second of a pair lies from the first, and the sum of their radii.
@@ -83,23 +110,26 @@ struct Distances {
   alignas(64) Lane radii;
 };
 
-static void read_distances(Distances& b, const PairsApart& pairs, const Parcel* parcels) {
+PULVIS_INLINE void put_distances(Distances& b, int k, const FourPairs& of) {
+  const Quartet p_at = quartet(of.first, 0), q_at = quartet(of.second, 0);
+  put_offsets(b.offset, k, p_at, q_at);
+  put_four(b.radii + k, q_at.d + p_at.d);
+}
+
+static void read_distances(Distances& b, const SomePairs& pairs, const Parcel* parcels) {
   for (int k = pairs.count; k < pairs.count + pairs.ahead; ++k) {
     __builtin_prefetch(&parcels[pairs.first[k]].position);
     __builtin_prefetch(&parcels[pairs.second[k]].position);
   }
-  for (int k = 0; k < pairs.count; k += 4) {
-    const FourPairs of(parcels, pairs.first, pairs.second, k, pairs.count);
-    const Quartet p_at = quartet(of.first, 0), q_at = quartet(of.second, 0);
-    put_offsets(b.offset, k, p_at, q_at);
-    put_four(b.radii + k, q_at.d + p_at.d);
-  }
+  int k = 0;
+  for (; k + 4 <= pairs.count; k += 4) put_distances(b, k, FourPairs(pairs, parcels, k));
+  if (k < pairs.count) put_distances(b, k, FourPairs::at_the_end(pairs, parcels, k));
 }
 
-static int glance(const PairsApart& given, const Parcel* parcels, const Images& images, double approach,
+static int glance(const SomePairs& given, const Parcel* parcels, const Images& images, double approach,
                   std::uint8_t* met) {
   constexpr double roundings = 1.0 + 1e-12;  // of a distance here and in the law
-  const PairsApart pairs = given;
+  const SomePairs pairs = given;
   Distances b;
   read_distances(b, pairs, parcels);
   if (images.slide.any())

@@ -9,15 +9,15 @@
 
 namespace pulvis::kernels {
 
-/// Loads of contacts in their places, and which of them act on each parcel: summand[begin[i]] to summand[begin[i + 1]]
-/// are those of parcel i in the order they are added in, each 2 place, + 1 if the parcel is the second of the pair.
-/// Behind the last there are `summands_ahead` more that may be read.
-struct LoadsOfPairs {
-  const PairLoad* load;
-  const std::uint32_t* begin;
-  const std::uint32_t* summand;
+/// Where the loads of one parcel's contacts lie, in the order they are added in.
+struct Run {
+  std::uint32_t begin, count;
 };
-inline constexpr std::size_t summands_ahead = 24;  ///< so far ahead a sum asks memory for loads
+/// Loads of contacts, and the run of each parcel.
+struct LoadsOfPairs {
+  const Load* load;
+  const Run* run;
+};
 
 // Kernels read these whole and take them apart in lanes.
 static_assert(sizeof(Parcel) == 12 * sizeof(double) && offsetof(Parcel, radius) == 3 * sizeof(double) &&
@@ -25,8 +25,6 @@ static_assert(sizeof(Parcel) == 12 * sizeof(double) && offsetof(Parcel, radius) 
               offsetof(Parcel, mass) == 7 * sizeof(double) && offsetof(Parcel, spin) == 8 * sizeof(double) &&
               offsetof(Parcel, id) == 11 * sizeof(double));
 static_assert(sizeof(Load) == 6 * sizeof(double) && offsetof(Load, torque) == 3 * sizeof(double));
-static_assert(sizeof(PairLoad) == 9 * sizeof(double) &&
-              offsetof(PairLoad, torque_first) == 3 * sizeof(double));
 
 /// Up to block_size parcels of the store: `count` from `first` on, or, where there is a `list`, those it names.
 struct SomeParcels {

@@ -8,80 +8,20 @@
 namespace pulvis::kernels {
 namespace PULVIS_ISA {
 
-/// Three numbers are taken as four, whose last nobody asks for. To add a zero is quicker than to find out whether to.
-static void sum_pairs(const LoadsOfPairs& pairs, const SomeParcels& given, Load* sum) {
-  constexpr double sign[2] = {1.0, -1.0};
-  const PairLoad* const load = pairs.load;
-  const std::uint32_t* const summands = pairs.summand;
-  const SomeParcels some = given;  // nobody else writes to it
+static void sum_pairs(const LoadsOfPairs& given, const SomeParcels& wanted, Load* sum) {
+  const LoadsOfPairs pairs = given;  // nobody else writes to these
+  const SomeParcels some = wanted;
   for (std::size_t n = 0; n < some.count; ++n) {
-    Four force{}, torque{};
-    for (std::uint32_t k = pairs.begin[some[n]]; k < pairs.begin[some[n] + 1]; ++k) {
-      ask_for(load[summands[k + summands_ahead] >> 1]);
-      const std::uint32_t side = summands[k] & 1u;
-      const double* in_place = &load[summands[k] >> 1].force.x;
-      force += sign[side] * four_at(in_place);
-      torque += four_at(in_place + 3 + 3 * side);
+    const Run run = pairs.run[some[n]];
+    Four force_and_x{};
+    Two rest{};
+    const double* at = &pairs.load[run.begin].force.x;
+    for (const double* const end = at + 6 * std::size_t{run.count}; at != end; at += 6) {
+      force_and_x += four_at(at);
+      rest += two_at(at + 4);
     }
-    *sum++ = {{force[0], force[1], force[2]}, {torque[0], torque[1], torque[2]}};
-  }
-}
-
-/// Parcels in lanes.
-struct ParcelLanes {
-  Lanes3 position, velocity, spin, force, torque, reference;
-  alignas(64) Lane radius, mass, margin, names;  ///< names: id and species, which only pass through
-  alignas(64) Lane second_crowd;                 ///< 1 for those of the second, else 0
-};
-
-static void read(ParcelLanes& b, const SomeParcels& some, const Load* load, const Parcel* parcels,
-                 const Leeway& leeway) {
-  const std::size_t count = some.count;
-  for (std::size_t k = 0; k < count; k += 4) {
-    const double *p[4], *f[4];
-    for (std::size_t j = 0; j < 4; ++j) {
-      const std::size_t lane = k + j < count ? k + j : count - 1;  // what is left over repeats the last
-      p[j] = &parcels[some[lane]].position.x;
-      f[j] = &load[lane].force.x;
-    }
-    const Quartet place = quartet(p, 0), velocity = quartet(p, 4), spin = quartet(p, 8);
-    const Quartet force = quartet(f, 0), torque = quartet(f, 2);
-    put_four(b.position.x + k, place.a), put_four(b.position.y + k, place.b);
-    put_four(b.position.z + k, place.c), put_four(b.radius + k, place.d);
-    put_four(b.velocity.x + k, velocity.a), put_four(b.velocity.y + k, velocity.b);
-    put_four(b.velocity.z + k, velocity.c), put_four(b.mass + k, velocity.d);
-    put_four(b.spin.x + k, spin.a), put_four(b.spin.y + k, spin.b);
-    put_four(b.spin.z + k, spin.c), put_four(b.names + k, spin.d);
-    put_four(b.force.x + k, force.a), put_four(b.force.y + k, force.b), put_four(b.force.z + k, force.c);
-    put_four(b.torque.x + k, force.d), put_four(b.torque.y + k, torque.c), put_four(b.torque.z + k, torque.d);
-  }
-  for (std::size_t k = 0; k < count; ++k) {
-    store(b.reference, static_cast<int>(k), leeway.reference[some[k]]);
-    b.margin[k] = leeway.margin[some[k]];
-    b.second_crowd[k] = leeway.crowd[some[k]];
-  }
-}
-
-static void write(const ParcelLanes& b, const SomeParcels& some, Parcel* parcels) {
-  std::size_t k = 0;
-  for (; k + 4 <= some.count; k += 4) {
-    double* p[4];
-    for (std::size_t j = 0; j < 4; ++j) p[j] = &parcels[some[k + j]].position.x;
-    put_quartet(p, 0,
-                {four_at(b.position.x + k), four_at(b.position.y + k), four_at(b.position.z + k),
-                 four_at(b.radius + k)});
-    put_quartet(p, 4,
-                {four_at(b.velocity.x + k), four_at(b.velocity.y + k), four_at(b.velocity.z + k),
-                 four_at(b.mass + k)});
-    put_quartet(p, 8,
-                {four_at(b.spin.x + k), four_at(b.spin.y + k), four_at(b.spin.z + k), four_at(b.names + k)});
-  }
-  for (; k < some.count; ++k) {
-    const int lane = static_cast<int>(k);
-    Parcel& p = parcels[some[k]];
-    p.position = load(b.position, lane);
-    p.velocity = load(b.velocity, lane);
-    p.spin = load(b.spin, lane);
+    put_four(&sum[n].force.x, force_and_x);
+    put_two(&sum[n].torque.y, rest);
   }
 }
 
@@ -95,47 +35,123 @@ struct Wrap {
       }
   }
   /// What to take off where an axis was left.
-  PULVIS_INLINE static double off(double x, double low, double high, double length) {
-    return select(x >= high, length, select(x < low, -length, 0.0));
+  PULVIS_INLINE static Four off(const Four& x, double low, double high, double length) {
+    const Four none{}, all = none + length;
+    return x >= high ? all : x < low ? -all : none;
   }
-  PULVIS_INLINE Vec3 off(const Vec3& x) const {
+  PULVIS_INLINE Four3 off(const Four3& x) const {
     return {off(x.x, low.x, high.x, length.x), off(x.y, low.y, high.y, length.y),
             off(x.z, low.z, high.z, length.z)};
   }
   Vec3 low{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}, high{HUGE_VAL, HUGE_VAL, HUGE_VAL}, length;
 };
 
-/// One parcel in its lane. What is noticed is counted in numbers as wide as the others: a whole number would have to be made
-/// of every comparison.
-PULVIS_INLINE void kick_and_drift(ParcelLanes& b, int k, const PlainStep& step, double& too_fast) {
-  const double half = 0.5 * step.dt, mass = b.mass[k], radius = b.radius[k];
-  const double by_mass = half / mass, by_inertia = half / (0.4 * mass * (radius * radius));
-  const Vec3 change = by_mass * (load(b.force, k) + mass * step.gravity);
-  const Vec3 turn = by_inertia * load(b.torque, k);
-  const Vec3 velocity = (load(b.velocity, k) + change) + change;
-  store(b.velocity, k, velocity);
-  store(b.spin, k, (load(b.spin, k) + turn) + turn);
-  const Vec3 move = step.dt * velocity;
-  store(b.position, k, load(b.position, k) + move);
-  too_fast += select(dot(move, move) > 0.25 * (radius * radius), 1.0, 0.0);
+/// What is noticed of four parcels at a time, in each lane all bits or none.
+struct Noticed {
+  FourTruths outside{}, too_fast{}, left{}, wrapped{};
+};
+
+/// Four parcels of the store, and of the loads on them; the fourth numbers only pass through.
+struct FourParcels {
+  PULVIS_INLINE FourParcels(double* const (&records)[4], const double* const (&loads)[4]) {
+    const Quartet place = quartet(records, 0), motion = quartet(records, 4), turn = quartet(records, 8);
+    position = {place.a, place.b, place.c}, radius = place.d;
+    velocity = {motion.a, motion.b, motion.c}, mass = motion.d;
+    spin = {turn.a, turn.b, turn.c}, id_and_species = turn.d;
+    const Quartet begin = quartet(loads, 0), end = quartet(loads, 2);
+    force = {begin.a, begin.b, begin.c}, torque = {begin.d, end.c, end.d};
+  }
+  PULVIS_INLINE void put(double* const (&records)[4]) const {
+    put_quartet(records, 0, {position.x, position.y, position.z, radius});
+    put_quartet(records, 4, {velocity.x, velocity.y, velocity.z, mass});
+    put_quartet(records, 8, {spin.x, spin.y, spin.z, id_and_species});
+  }
+  Four3 position, velocity, spin, force, torque;
+  Four radius, mass, id_and_species;
+};
+
+PULVIS_INLINE void kick_and_drift(FourParcels& p, const PlainStep& step, Noticed& noticed) {
+  const double half = 0.5 * step.dt;
+  const Four by_mass = half / p.mass, by_inertia = half / (0.4 * p.mass * (p.radius * p.radius));
+  const Four3 change = by_mass * (p.force + p.mass * step.gravity);
+  const Four3 turn = by_inertia * p.torque;
+  p.velocity = (p.velocity + change) + change;
+  p.spin = (p.spin + turn) + turn;
+  const Four3 move = step.dt * p.velocity;
+  p.position = p.position + move;
+  noticed.too_fast |= dot(move, move) > 0.25 * (p.radius * p.radius);
 }
 
-/// Brings what left a periodic axis back, and its reference with it.
-PULVIS_INLINE void inspect(ParcelLanes& b, int k, const PlainStep& step, const Wrap& wrap, double& outside,
-                           double& left, double& wrapped) {
-  const Vec3 off = wrap.off(load(b.position, k));
-  const Vec3 x = load(b.position, k) - off, reference = load(b.reference, k) - off;
-  store(b.position, k, x);
-  store(b.reference, k, reference);
-  wrapped += select((off.x != 0.0) | (off.y != 0.0) | (off.z != 0.0), 1.0, 0.0);
-  const Vec3 spin = load(b.spin, k), apart = step.drift[1] - step.drift[0];
-  const Vec3 since = x - reference - (step.drift[0] + b.second_crowd[k] * apart);
-  const double margin = b.margin[k];
-  const bool inside = (x.x >= step.low.x) & (x.x <= step.high.x) & (x.y >= step.low.y) &
-                      (x.y <= step.high.y) & (x.z >= step.low.z) & (x.z <= step.high.z) &
-                      (dot(spin, spin) < 1e300);
-  outside += select(inside, 0.0, 1.0);
-  left += select(dot(since, since) > margin * margin, 1.0, 0.0);
+/// What tells of four parcels whether they left their margins.
+struct FourLeeways {
+  Four3 reference;
+  Four margin, second_crowd;
+};
+
+/// Brings what left a periodic axis back, and its reference with it; whether any did.
+PULVIS_INLINE FourTruths inspect(FourParcels& p, FourLeeways& leeways, const PlainStep& step,
+                                 const Wrap& wrap, Noticed& noticed) {
+  const Four3 off = wrap.off(p.position), x = p.position - off;
+  p.position = x;
+  leeways.reference = leeways.reference - off;
+  const Vec3 apart = step.drift[1] - step.drift[0];
+  const Four3 since = x - leeways.reference - (step.drift[0] + leeways.second_crowd * apart);
+  const FourTruths inside = (x.x >= step.low.x) & (x.x <= step.high.x) & (x.y >= step.low.y) &
+                            (x.y <= step.high.y) & (x.z >= step.low.z) & (x.z <= step.high.z) &
+                            (dot(p.spin, p.spin) < 1e300);
+  noticed.outside |= ~inside;
+  noticed.left |= dot(since, since) > leeways.margin * leeways.margin;
+  return (off.x != 0.0) | (off.y != 0.0) | (off.z != 0.0);
+}
+
+/// Four parcels, wherever they stand, and their loads.
+struct AnyFour {
+  PULVIS_INLINE AnyFour(const SomeParcels& some, std::size_t k) {  // what is left over repeats the last
+    for (std::size_t j = 0; j < 4; ++j) lane[j] = k + j < some.count ? k + j : some.count - 1;
+    for (std::size_t j = 0; j < 4; ++j) of[j] = some[lane[j]];
+  }
+  PULVIS_INLINE std::size_t parcel(std::size_t j) const { return of[j]; }
+  PULVIS_INLINE std::size_t load(std::size_t j) const { return lane[j]; }
+  PULVIS_INLINE FourLeeways leeways(const Leeway& all) const {
+    const Vec3 *const r = all.reference, &a = r[of[0]], &b = r[of[1]], &c = r[of[2]], &d = r[of[3]];
+    const auto crowd = [&](std::size_t j) { return static_cast<double>(all.crowd[of[j]]); };
+    return {{Four{a.x, b.x, c.x, d.x}, Four{a.y, b.y, c.y, d.y}, Four{a.z, b.z, c.z, d.z}},
+            Four{all.margin[of[0]], all.margin[of[1]], all.margin[of[2]], all.margin[of[3]]},
+            Four{crowd(0), crowd(1), crowd(2), crowd(3)}};
+  }
+  std::size_t lane[4], of[4];
+};
+
+/// Four that stand in a row.
+struct FourInARow {
+  PULVIS_INLINE FourInARow(const SomeParcels& some, std::size_t k) : first(some.first + k), first_load(k) {}
+  PULVIS_INLINE std::size_t parcel(std::size_t j) const { return first + j; }
+  PULVIS_INLINE std::size_t load(std::size_t j) const { return first_load + j; }
+  PULVIS_INLINE FourLeeways leeways(const Leeway& all) const {
+    return {three_lanes(&all.reference[first].x), four_at(&all.margin[first]),
+            four_of_bytes(&all.crowd[first])};
+  }
+  std::size_t first, first_load;
+};
+
+template <class These>
+PULVIS_INLINE void move_four(const These& these, const PlainStep& step, const Wrap& wrap, const Load* load,
+                             Parcel* parcels, const Leeway& leeway, Noticed& noticed) {
+  double* records[4];
+  const double* loads[4];
+  for (std::size_t j = 0; j < 4; ++j) {
+    records[j] = &parcels[these.parcel(j)].position.x;
+    loads[j] = &load[these.load(j)].force.x;
+  }
+  FourParcels p(records, loads);
+  FourLeeways l = these.leeways(leeway);
+  kick_and_drift(p, step, noticed);
+  const FourTruths wrapped = inspect(p, l, step, wrap, noticed);
+  p.put(records);
+  if (!any(wrapped)) return;
+  noticed.wrapped |= wrapped;
+  for (std::size_t j = 0; j < 4; ++j)
+    leeway.reference[these.parcel(j)] = {l.reference.x[j], l.reference.y[j], l.reference.z[j]};
 }
 
 /// What tells whether the parcels two blocks behind these left their margins: that is read once in a step, too little at a
@@ -151,28 +167,21 @@ static void ask_for_leeway(const SomeParcels& some, const Leeway& leeway) {
 
 static void move_parcels(const PlainStep& given, const SomeParcels& wanted, const Load* load, Parcel* parcels,
                          const Leeway& where, StepNotice& notice) {
-  const PlainStep step = given;
+  const PlainStep step = given;  // nobody else writes to these
   const SomeParcels some = wanted;
   const Leeway leeway = where;
-  const int count = static_cast<int>(some.count);
   const Wrap wrap(step);
-  ParcelLanes b;
-  read(b, some, load, parcels, leeway);
   ask_for_leeway(some, leeway);
-  double too_fast = 0.0, outside = 0.0, left = 0.0, off = 0.0;
-#pragma omp simd reduction(+ : too_fast)
-  for (int k = 0; k < count; ++k) kick_and_drift(b, k, step, too_fast);
-#pragma omp simd reduction(+ : outside, left, off)
-  for (int k = 0; k < count; ++k) inspect(b, k, step, wrap, outside, left, off);
-  const bool wrapped = off != 0.0;
-  write(b, some, parcels);
-  if (wrapped)
-    for (int k = 0; k < count; ++k)
-      leeway.reference[some[static_cast<std::size_t>(k)]] = kernels::load(b.reference, k);
-  notice.too_fast |= too_fast != 0.0;
-  notice.outside |= outside != 0.0;
-  if (left != 0.0) notice.note_left(some[0], some[some.count - 1] + 1);
-  notice.wrapped |= wrapped;
+  Noticed noticed;
+  std::size_t k = 0;
+  if (!some.list)
+    for (; k + 4 <= some.count; k += 4)
+      move_four(FourInARow(some, k), step, wrap, load, parcels, leeway, noticed);
+  for (; k < some.count; k += 4) move_four(AnyFour(some, k), step, wrap, load, parcels, leeway, noticed);
+  notice.too_fast |= any(noticed.too_fast);
+  notice.outside |= any(noticed.outside);
+  notice.wrapped |= any(noticed.wrapped);
+  if (any(noticed.left)) notice.note_left(some[0], some[some.count - 1] + 1);
 }
 
 ParcelKernel parcel_kernel() { return {sum_pairs, move_parcels}; }

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <cmath>
+
 #include "engine/math/vec3.hpp"
 
 namespace pulvis {
@@ -77,9 +79,8 @@ struct NearestImage {
     return {{box.periodic[0] ? e.x : 0.0, box.periodic[1] ? e.y : 0.0, box.periodic[2] ? e.z : 0.0}};
   }
   PULVIS_INLINE static double wrap(double d, double length) {
-    const double half = 0.5 * length;
-    const bool up = d > half, down = d < -half;
-    return length > 0.0 ? (up ? d - length : down ? d + length : d) : d;
+    const double half = length > 0.0 ? 0.5 * length : HUGE_VAL;
+    return d - (d > half ? length : d < -half ? -length : 0.0);
   }
   PULVIS_INLINE Vec3 operator()(const Vec3& d) const {
     return {wrap(d.x, length.x), wrap(d.y, length.y), wrap(d.z, length.z)};

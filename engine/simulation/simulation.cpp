@@ -328,10 +328,9 @@ std::size_t Simulation::memory() const {
   return bytes(state_.parcels.body) + bytes(state_.parcels.load) + bytes(reference_) + bytes(margin_) +
          bytes(crowd_) + bytes(pairs_.first) + bytes(pairs_.second) + bytes(pairs_.touching) +
          bytes(pairs_.pasts.springs) + bytes(pairs_.pasts.memory) + pairs_.pasts.met.bytes() +
-         bytes(pairs_.load) + bytes(pairs_.place) + bytes(pairs_.force) + bytes(pairs_.begin) +
-         bytes(pairs_.entry) + bytes(pairs_.summand_begin) + bytes(pairs_.summand) + bytes(pairs_.meets) +
-         bytes(walls_.begin) + bytes(walls_.parcel) + bytes(walls_.surface) + bytes(walls_.history) +
-         bytes(walls_.load);
+         bytes(pairs_.load) + bytes(pairs_.places) + bytes(pairs_.runs) + bytes(pairs_.force) +
+         bytes(pairs_.begin) + bytes(pairs_.entry) + bytes(pairs_.meets) + bytes(walls_.begin) +
+         bytes(walls_.parcel) + bytes(walls_.surface) + bytes(walls_.history) + bytes(walls_.load);
 }
 
 }  // namespace pulvis

@@ -220,8 +220,8 @@ TEST(NearPairs, AreNoneAmongNoneAndOneParcel) {
   }
 }
 
-/// Goes through a step as threads do, one after the other: the load of a slot must still lie in its place when each of its
-/// parcels is summed up, and in nobody else's way.
+/// Goes through a step as threads do, one after the other: the loads of a slot must still lie in their places when its parcels
+/// are summed up, and in nobody else's way.
 void expect_loads_stay_while_they_are_needed(const NearPairs& near) {
   constexpr std::size_t nobody = ~std::size_t{0};
   std::vector<std::size_t> holder(near.load.size(), nobody);
@@ -229,15 +229,15 @@ void expect_loads_stay_while_they_are_needed(const NearPairs& near) {
   std::size_t evaluated = 0, summed = 0;
   const auto sum_up = [&](std::size_t i) {
     done[i] = true;
-    std::uint32_t at = near.summand_begin[i];
+    std::uint32_t at = near.runs[i].begin;
     for (std::uint32_t k = near.begin[i]; k < near.begin[i + 1]; ++k) {
       const std::size_t slot = near.entry[k] >> 1;
       if (slot >= near.first_apart()) continue;
-      ASSERT_EQ(near.summand[at++], 2 * near.place[slot] + (near.entry[k] & 1u));
-      ASSERT_EQ(holder[near.place[slot]], slot);
-      if (done[near.first[slot]] && done[near.second[slot]]) holder[near.place[slot]] = nobody, ++summed;
+      ASSERT_EQ(near.entry[k] & 1u ? near.places[slot].second : near.places[slot].first, at);
+      ASSERT_EQ(holder[at], near.entry[k]);
+      holder[at++] = nobody, ++summed;
     }
-    ASSERT_EQ(at, near.summand_begin[i + 1]);
+    ASSERT_EQ(at, near.runs[i].begin + near.runs[i].count);
   };
   for (int part = 0; part < near.shares(); ++part) {
     std::vector<std::size_t> cursors(near.groups());
@@ -247,8 +247,10 @@ void expect_loads_stay_while_they_are_needed(const NearPairs& near) {
           for (std::size_t slot = slots_from; slot < slots_to; ++slot) ASSERT_EQ(near.part_of(slot), part);
           if (near.are_apart(group)) return;
           for (std::size_t slot = slots_from; slot < slots_to; ++slot) {
-            ASSERT_EQ(holder[near.place[slot]], nobody) << "slot " << slot << " of " << near.slots();
-            holder[near.place[slot]] = slot;
+            const auto [of_first, of_second] = near.places[slot];
+            ASSERT_EQ(holder[of_first], nobody) << "slot " << slot << " of " << near.slots();
+            ASSERT_EQ(holder[of_second], nobody) << "slot " << slot << " of " << near.slots();
+            holder[of_first] = 2 * slot, holder[of_second] = 2 * slot + 1;
             ++evaluated;
           }
         },
@@ -269,7 +271,7 @@ void expect_loads_stay_while_they_are_needed(const NearPairs& near) {
   std::size_t pairs = 0;
   for (std::size_t slot = 0; slot < near.first_apart(); ++slot) pairs += near.is_pair(slot);
   EXPECT_EQ(evaluated, pairs);
-  EXPECT_EQ(summed, pairs);
+  EXPECT_EQ(summed, 2 * pairs);
 }
 
 TEST(NearPairs, LoadsStayInTheirPlacesWhileTheyAreNeeded) {
@@ -282,7 +284,7 @@ TEST(NearPairs, LoadsStayInTheirPlacesWhileTheyAreNeeded) {
       near.rebuild({p.parcels, one_class, p.margin, p.reach, p.box, p.slide}, threads);
       expect_loads_stay_while_they_are_needed(near);
       if (HasFatalFailure()) return;
-      EXPECT_TRUE(threads > 1 || near.load.size() < near.first_apart()) << "places are used again";
+      EXPECT_TRUE(threads > 1 || near.load.size() < near.first_apart() / 2) << "places are used again";
     }
   }
 }
@@ -317,9 +319,7 @@ void expect_glance_of_brute_force(const Packing& p, std::uint64_t number) {
     for (std::size_t begin = near.first_apart(); begin < near.slots(); begin += kernels::block_size) {
       const auto count = static_cast<int>(std::min<std::size_t>(kernels::block_size, near.slots() - begin));
       std::uint8_t met[kernels::block_size];
-      const int found = kernel.glance(
-          {count, &near.first[begin], &near.second[begin], &near.touching[begin], near.ahead_of(begin)},
-          p.parcels.body.data(), images, approach, met);
+      const int found = kernel.glance(near.some(begin, count), p.parcels.body.data(), images, approach, met);
       std::vector<std::uint8_t> expected;
       for (int k = 0; k < count; ++k) {
         const std::size_t slot = begin + static_cast<std::size_t>(k);
