@@ -69,7 +69,8 @@ void kernel_of(benchmark::State& state, const NamedLaw& law, InstructionSet set)
   auto block = std::make_unique<kernels::SeparateBlock>();
   std::vector<Load> loads(2 * block_size);
   std::vector<kernels::Places> places(block_size);
-  for (std::uint32_t k = 0; k < block_size; ++k) places[k] = {2 * k, 2 * k + 1};
+  for (std::uint32_t k = 0; k < block_size; ++k)
+    places[k] = {2 * k * kernels::Places::numbers, (2 * k + 1) * kernels::Places::numbers};
   std::vector<std::uint8_t> touching(block_size, 1);
   for (auto _ : state) {
     kernel.gather(*block, parcels.body.data(), {block_size, first.data(), second.data(), touching.data(), 0});

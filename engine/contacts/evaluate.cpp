@@ -39,7 +39,7 @@ void evaluate_block(ContactBlock& b, std::size_t begin, int count, NearPairs& ne
   if (!kernel.any_in_reach(b, approach)) {
     // Another contact's load may lie in their places.
     for (std::size_t slot = begin; slot < begin + static_cast<std::size_t>(count); ++slot)
-      near.load[near.places[slot].first] = near.load[near.places[slot].second] = {};
+      near.load_on_first(slot) = near.load_on_second(slot) = {};
     return;
   }
   kernel.evaluate(b, constants, step.dt);
@@ -147,14 +147,14 @@ ContactEvaluator::ContactEvaluator(int most_threads, std::size_t classes, double
   for (auto& s : scratch_) s.block.resize(classes), s.cursors.resize(2 * classes);
 }
 
-Load ContactEvaluator::sum_all(const NearPairs& near, const Parcels& parcels, std::uint32_t parcel) {
+Load ContactEvaluator::sum_all(NearPairs& near, const Parcels& parcels, std::uint32_t parcel) {
   Load sum;
   const auto add = [&](std::uint32_t entry) {
     const std::size_t slot = entry >> 1;
     if (!near.touching[slot]) return;
     const bool is_second = entry & 1u;
     if (slot < near.first_apart()) {
-      const Load& load = near.load[is_second ? near.places[slot].second : near.places[slot].first];
+      const Load& load = is_second ? near.load_on_second(slot) : near.load_on_first(slot);
       sum.force += load.force, sum.torque += load.torque;
     } else {
       const PairLoad& load = near.pasts.met_at(slot)->load;

@@ -53,7 +53,7 @@ class ContactEvaluator {
   void sum_close(const NearPairs& near, const kernels::SomeParcels& some, Load* sum) const {
     parcel_kernel_.sum_of_pairs({near.load.data(), near.runs.data()}, some, sum);
   }
-  static Load sum_all(const NearPairs& near, const Parcels& parcels, std::uint32_t parcel);
+  static Load sum_all(NearPairs& near, const Parcels& parcels, std::uint32_t parcel);
   /// Takes parcels from the end of one step to the middle of the next.
   kernels::MoveParcels move() const { return parcel_kernel_.move; }
   /// How far a part of the work is in the slots of each group: for whoever leads it.

@@ -67,41 +67,68 @@ std::vector<std::size_t> NearPairs::begins_of_runs(int part) const {
   return begins;
 }
 
-/// Lays out the runs of a share from 0 on, and returns how many loads that takes. Runs that are needed while no more than
-/// `most` parcels are summed up go round in a ring, in the order of the store, which is as long as ever is needed at the same
-/// time; one that begins in the ring may end behind it. The others, and those of divided parcels, which are summed up at the
-/// end of the step only, have places of their own.
-std::uint32_t NearPairs::lay_out_runs(int part, std::span<const std::size_t> begins, std::size_t most) {
+/// Runs that are needed while fewer parcels than this are summed up go round in a ring, the others in another, so that both
+/// together have about the fewest loads: most runs are needed for a slice of the powder, some across a periodic boundary longer.
+std::size_t NearPairs::longest_way_round(int part, std::span<const std::size_t> begins) const {
+  constexpr std::size_t step = parcels_at_once / 8;
   const auto [from, to] = share(part);
-  const auto goes_round = [&, from = from](std::size_t i) {
-    return !divided(i) && i < begins[i - from] + most;
+  struct OfWay {
+    double loads = 0.0, ring = 0.0;  ///< of runs with this way, and what all runs that begin meanwhile have
   };
-  std::uint32_t apart = 0, longest = 0, ring = 1;
-  std::vector<std::uint32_t> before{0};  // loads of those in the ring
+  std::vector<OfWay> ways((to - from) / step + 1);
+  std::vector<std::uint32_t> before{0};
+  double whole_ring = 0.0;
   for (std::size_t i = from; i < to; ++i) {
-    const bool round = goes_round(i);
-    before.push_back(before.back() + (round ? runs[i].count : 0));
-    if (!round) {
-      runs[i].begin = std::exchange(apart, apart + runs[i].count);
-    } else if (runs[i].count > 0) {
-      longest = std::max(longest, runs[i].count);
-      ring = std::max(ring, before.back() - before[begins[i - from] - from]);
-    }
+    const std::uint32_t own = divided(i) ? 0 : runs[i].count;
+    before.push_back(before.back() + own);
+    if (own == 0) continue;
+    OfWay& way = ways[(i - begins[i - from]) / step];
+    way.loads += own;
+    way.ring = std::max<double>(way.ring, before.back() - before[begins[i - from] - from]);
+    whole_ring = std::max(whole_ring, way.ring);
   }
-  for (std::size_t i = from; i < to; ++i)
-    if (goes_round(i)) runs[i].begin = apart + before[i - from] % ring;
-  return apart + ring + longest;
+  std::size_t best = to - from + 1;
+  double loads = 0.0, ring = 0.0, fewest = whole_ring * before.back();
+  for (std::size_t k = 0; k < ways.size(); ++k) {
+    loads += ways[k].loads, ring = std::max(ring, ways[k].ring);
+    const double both = ring * loads + whole_ring * (before.back() - loads);
+    if (both < fewest) fewest = both, best = (k + 1) * step;
+  }
+  return best;
 }
 
-/// With the longest way through the ring that makes the fewest loads: across a periodic boundary a few are far.
+/// Lays out the runs of a share from 0 on, and returns how many loads that takes. Runs go round in two rings, in the order of the
+/// store, each as long as ever is needed at the same time; one that begins in its ring may end behind it. Those of divided
+/// parcels, which are summed up at the end of the step only, have places of their own.
 std::uint32_t NearPairs::lay_out_runs(int part) {
+  const auto [from, to] = share(part);
   const std::vector<std::size_t> begins = begins_of_runs(part);
-  std::size_t best = begins.size() + 1;
-  std::uint32_t fewest = lay_out_runs(part, begins, best);
-  for (std::size_t most = begins.size() / 2; most > parcels_at_once; most /= 2)
-    if (const std::uint32_t loads = lay_out_runs(part, begins, most); loads < fewest)
-      fewest = loads, best = most;
-  return lay_out_runs(part, begins, best);
+  const std::size_t most = longest_way_round(part, begins);
+  struct Ring {
+    std::uint32_t longest = 0, length = 1;
+    std::vector<std::uint32_t> before{0};  ///< loads of its runs, by the parcel
+  };
+  Ring rings[2];
+  const auto ring_of = [&, from = from](std::size_t i) { return i < begins[i - from] + most ? 0 : 1; };
+  std::uint32_t end = 0;
+  for (std::size_t i = from; i < to; ++i) {
+    const std::uint32_t own = runs[i].count;
+    for (Ring& ring : rings) ring.before.push_back(ring.before.back());
+    if (divided(i)) {
+      runs[i].begin = std::exchange(end, end + own);
+    } else if (own > 0) {
+      Ring& ring = rings[ring_of(i)];
+      ring.before.back() += own;
+      ring.longest = std::max(ring.longest, own);
+      ring.length = std::max(ring.length, ring.before.back() - ring.before[begins[i - from] - from]);
+    }
+  }
+  for (int k = 0; k < 2; ++k) {
+    for (std::size_t i = from; i < to; ++i)
+      if (!divided(i) && ring_of(i) == k) runs[i].begin = end + rings[k].before[i - from] % rings[k].length;
+    end += rings[k].length + rings[k].longest;
+  }
+  return end;
 }
 
 void NearPairs::assign_places() {
@@ -114,8 +141,12 @@ void NearPairs::assign_places() {
   });
   std::vector<std::uint32_t> before(static_cast<std::size_t>(shares_));
   parallel_parts(shares_, [&](int part) { before[static_cast<std::size_t>(part)] = lay_out_runs(part); });
-  std::uint32_t loads = 0;
-  for (std::uint32_t& of_part : before) of_part = std::exchange(loads, loads + of_part);
+  std::size_t loads = 0;
+  for (std::uint32_t& of_part : before)
+    of_part = static_cast<std::uint32_t>(std::exchange(loads, loads + of_part));
+  if (loads * kernels::Places::numbers > UINT32_MAX)
+    throw Failure(Exit::physics,
+                  "more than 700 million loads of contacts are needed at a time; that is too many");
   load.assign(loads, {});
   places.assign(first_apart(), {});
   parallel_parts(shares_, [&](int part) {
@@ -123,7 +154,9 @@ void NearPairs::assign_places() {
     for (std::size_t i = from; i < to; ++i) {
       std::uint32_t at = runs[i].begin += before[static_cast<std::size_t>(part)];
       for (std::uint32_t k = begin[i]; k < begin[i + 1]; ++k)
-        if (is_close(k)) (entry[k] & 1u ? places[entry[k] >> 1].second : places[entry[k] >> 1].first) = at++;
+        if (is_close(k))
+          (entry[k] & 1u ? places[entry[k] >> 1].second : places[entry[k] >> 1].first) =
+              kernels::Places::numbers * at++;
     }
   });
 }

@@ -154,6 +154,9 @@ class NearPairs {
   /// In runs. A parcel's is needed from the first of its slots that is evaluated until it has been summed up; then another
   /// parcel's takes its place, so that there are about as many as a slice or two of the powder has.
   std::vector<Load> load;
+  /// While they are needed, of a close pair.
+  Load& load_on_first(std::size_t slot) { return load[places[slot].first / kernels::Places::numbers]; }
+  Load& load_on_second(std::size_t slot) { return load[places[slot].second / kernels::Places::numbers]; }
 
  private:
   /// Where a pair stands in the list of one of its parcels, while slots are assigned.
@@ -171,7 +174,7 @@ class NearPairs {
   void divide(int threads);
   void assign_places();
   std::vector<std::size_t> begins_of_runs(int part) const;
-  std::uint32_t lay_out_runs(int part, std::span<const std::size_t> begins, std::size_t most);
+  std::size_t longest_way_round(int part, std::span<const std::size_t> begins) const;
   std::uint32_t lay_out_runs(int part);
 
   std::vector<std::uint32_t> own_end_;  ///< [row_[group] + parcel], of groups that have slots

@@ -167,7 +167,9 @@ class ShareOfSweep {
   /// All of a range but the divided ones: what acts on those may be in the making.
   void finish(std::size_t begin, std::size_t end) {
     for (std::size_t from = begin, to = begin; from < end; from = to) {
-      for (to = from; to < end && to - from < at_once && !t_.pairs.divided(to);) ++to;
+      const std::size_t most = std::min(end, from + at_once);
+      to = t_.pairs.shares() == 1 ? most : from;
+      while (to < most && !t_.pairs.divided(to)) ++to;
       if (to == from)
         ++to;
       else

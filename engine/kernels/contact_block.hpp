@@ -22,6 +22,7 @@ struct Lanes3 {
 template <class Thing>
 [[gnu::always_inline]] inline void ask_for(const Thing& thing) {
   const char* const begin = reinterpret_cast<const char*>(&thing);
+#pragma GCC unroll 32
   for (std::size_t at = 0; at < sizeof thing; at += 64) __builtin_prefetch(begin + at);
 }
 
@@ -116,8 +117,10 @@ struct SomePairs {
   int ahead;  ///< memory is asked for the parcels of so many more that stand behind a whole block
 };
 
-/// Where what a pair does to its two parcels lies among the loads.
+/// Where what a pair does to its two parcels lies among the loads, by the first of its numbers: to make that of the number of
+/// a load takes as many instructions as to write it.
 struct Places {
+  static constexpr std::uint32_t numbers = sizeof(Load) / sizeof(double);  ///< of a load
   std::uint32_t first, second;
 };
 

@@ -58,8 +58,9 @@ static void gather(ContactBlock& b, const Parcel* parcels, const SomePairs& give
   const SomePairs pairs = given;
   const int count = pairs.count;
   b.count = count;
-  for (int k = block_size; k < block_size + pairs.ahead;
-       ++k) {  // what the next block needs lies all over the store
+  // What the next block needs lies all over the store.
+#pragma GCC unroll 4
+  for (int k = block_size; k < block_size + pairs.ahead; ++k) {
     ask_for(parcels[pairs.first[k]]);
     ask_for(parcels[pairs.second[k]]);
   }
@@ -71,11 +72,11 @@ static void gather(ContactBlock& b, const Parcel* parcels, const SomePairs& give
 }
 
 /// The loads on the parcels of the contacts k to k + 3.
-static void scatter_four(const ContactBlock& b, int k, const Places* places, Load* load) {
+static void scatter_four(const ContactBlock& b, int k, const Places* places, double* load) {
   double *first[4], *second[4];
   for (int j = 0; j < 4; ++j) {
-    first[j] = &load[places[k + j].first].force.x;
-    second[j] = &load[places[k + j].second].force.x;
+    first[j] = load + places[k + j].first;
+    second[j] = load + places[k + j].second;
   }
   const Four x = four_at(b.force.x + k), y = four_at(b.force.y + k), z = four_at(b.force.z + k);
   put_quartet(first, 0, {x, y, z, four_at(b.torque_first.x + k)});
@@ -88,15 +89,16 @@ static void scatter_four(const ContactBlock& b, int k, const Places* places, Loa
     put_two(first[j] + 4, first_two(rows[j])), put_two(second[j] + 4, last_two(rows[j]));
 }
 
-static void scatter(const ContactBlock& b, const Places* places, Load* load, std::uint8_t* touching,
+static void scatter(const ContactBlock& b, const Places* places, Load* loads, std::uint8_t* touching,
                     Vec3* force) {
   const int count = b.count;
+  double* const load = &loads->force.x;
   int k = 0;
   for (; k + 4 <= count; k += 4) scatter_four(b, k, places, load);
   for (; k < count; ++k) {
     const Vec3 on_first = kernels::load(b.force, k);
-    load[places[k].first] = {on_first, kernels::load(b.torque_first, k)};
-    load[places[k].second] = {-on_first, kernels::load(b.torque_second, k)};
+    loads[places[k].first / Places::numbers] = {on_first, kernels::load(b.torque_first, k)};
+    loads[places[k].second / Places::numbers] = {-on_first, kernels::load(b.torque_second, k)};
   }
 #pragma omp simd
   for (k = 0; k < count; ++k) touching[k] = b.touching[k] > 0.5;

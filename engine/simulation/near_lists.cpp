@@ -107,7 +107,8 @@ bool Simulation::a_body_left_its_margin() const {
 
 void Simulation::sort_along_space(std::vector<std::uint32_t>& old_index) {
   // Slice by slice along the longest axis of the powder, row by row in a slice: what is not yet done with while a step
-  // goes through the store is a slice or two, and two threads share one cut.
+  // goes through the store is a slice or two, and two threads share one cut. Along a periodic axis it is twice as much, since
+  // the first slice meets the last.
   const std::size_t count = state_.parcels.size();
   Vec3 low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
   for (const Parcel& p : state_.parcels.body)
@@ -116,7 +117,10 @@ void Simulation::sort_along_space(std::vector<std::uint32_t>& old_index) {
       high[axis] = greatest(high[axis], p.position[axis]);
     }
   int axes[3] = {0, 1, 2};
-  std::sort(axes, axes + 3, [&](int a, int b) { return high[a] - low[a] > high[b] - low[b]; });
+  const auto length = [&](int axis) {
+    return (high[axis] - low[axis]) * (model_.domain.periodic[axis] ? 0.5 : 1.0);
+  };
+  std::sort(axes, axes + 3, [&](int a, int b) { return length(a) > length(b); });
   const double edge = 4.0 * model_.largest_radius;
   std::vector<std::pair<std::uint64_t, std::uint32_t>> key(count);
   for (std::size_t i = 0; i < count; ++i) {

@@ -224,6 +224,7 @@ TEST(NearPairs, AreNoneAmongNoneAndOneParcel) {
 /// are summed up, and in nobody else's way.
 void expect_loads_stay_while_they_are_needed(const NearPairs& near) {
   constexpr std::size_t nobody = ~std::size_t{0};
+  constexpr std::uint32_t numbers = kernels::Places::numbers;
   std::vector<std::size_t> holder(near.load.size(), nobody);
   std::vector<bool> done(near.begin.size() - 1, false);
   std::size_t evaluated = 0, summed = 0;
@@ -233,7 +234,7 @@ void expect_loads_stay_while_they_are_needed(const NearPairs& near) {
     for (std::uint32_t k = near.begin[i]; k < near.begin[i + 1]; ++k) {
       const std::size_t slot = near.entry[k] >> 1;
       if (slot >= near.first_apart()) continue;
-      ASSERT_EQ(near.entry[k] & 1u ? near.places[slot].second : near.places[slot].first, at);
+      ASSERT_EQ(near.entry[k] & 1u ? near.places[slot].second : near.places[slot].first, at * numbers);
       ASSERT_EQ(holder[at], near.entry[k]);
       holder[at++] = nobody, ++summed;
     }
@@ -247,7 +248,8 @@ void expect_loads_stay_while_they_are_needed(const NearPairs& near) {
           for (std::size_t slot = slots_from; slot < slots_to; ++slot) ASSERT_EQ(near.part_of(slot), part);
           if (near.are_apart(group)) return;
           for (std::size_t slot = slots_from; slot < slots_to; ++slot) {
-            const auto [of_first, of_second] = near.places[slot];
+            const std::uint32_t of_first = near.places[slot].first / numbers,
+                                of_second = near.places[slot].second / numbers;
             ASSERT_EQ(holder[of_first], nobody) << "slot " << slot << " of " << near.slots();
             ASSERT_EQ(holder[of_second], nobody) << "slot " << slot << " of " << near.slots();
             holder[of_first] = 2 * slot, holder[of_second] = 2 * slot + 1;
