@@ -34,7 +34,8 @@ PULVIS_INLINE double inverse_cube_root(double a) {
   const auto bits = __builtin_bit_cast(std::int64_t, a);
   const auto high = static_cast<std::int32_t>(bits >> 32);
   const auto third = static_cast<std::int32_t>(static_cast<double>(high) * (1.0 / 3.0));
-  const auto guess = static_cast<std::int64_t>(1430188164 - third) << 32;  // 4/3 of the exponent bias, shifted
+  const auto guess = static_cast<std::int64_t>(1430188164 - third)
+                     << 32;  // 4/3 of the exponent bias, shifted
   double x = __builtin_bit_cast(double, guess);
   for (int step = 0; step < 2; ++step) {
     const double rest = 1.0 - a * (x * x * x);  // x (1 - rest)^(-1/3) would be exact
