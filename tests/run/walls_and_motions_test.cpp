@@ -301,7 +301,8 @@ TEST(GravityTable, MustBeComplete) {
 }
 
 TEST(ExampleCases, OfStlAndShoeRunInAQuickForm) {
-  // Larger parcels and a shorter way: the same road in seconds.
+  // Larger parcels and a shorter way: the same road in seconds. The shoe's parcels are not as large as those in the step: of
+  // parcels a quarter as wide as the die one is caught between shoe and die in every second run (by the seed), and no law holds that.
   TemporaryFolder folder;
   const std::string cases = source_folder() + "/cases/die-filling/";
   const Outcome step = call({"run", cases + "stl-step.toml", "--out", folder / "step", "--set",
@@ -312,7 +313,7 @@ TEST(ExampleCases, OfStlAndShoeRunInAQuickForm) {
   EXPECT_GT(in_step["measures"]["wall_pressure_max"]["value"].get<double>(), 0.0);
   const Outcome shoe =
       call({"run", cases + "shoe.toml", "--out", folder / "shoe", "--set",
-            "powders.molybdenum.coarse_graining=220", "--set", "motions.pass.speed=0.3 m/s"});
+            "powders.molybdenum.coarse_graining=150", "--set", "motions.pass.speed=0.3 m/s"});
   EXPECT_EQ(shoe.exit, 0) << shoe.err;
   const Json in_shoe = json_of(folder / "shoe/result.json");
   EXPECT_GT(in_shoe["measures"]["fill_mass"]["value"].get<double>(), 0.3e-3);
