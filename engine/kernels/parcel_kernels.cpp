@@ -16,7 +16,8 @@ static void sum_pairs(const LoadsOfPairs& given, const SomeParcels& wanted, Load
     Four force_and_x{};
     Two rest{};
     const double* at = &pairs.load[run.begin].force.x;
-    for (const double* const end = at + 6 * std::size_t{run.count}; at != end; at += 6) {
+    constexpr std::size_t numbers = Places::numbers;
+    for (const double* const end = at + numbers * run.count; at != end; at += numbers) {
       force_and_x += four_at(at);
       rest += two_at(at + 4);
     }
@@ -159,10 +160,8 @@ PULVIS_INLINE void move_four(const These& these, const PlainStep& step, const Wr
 static void ask_for_leeway(const SomeParcels& some, const Leeway& leeway) {
   if (some.list) return;
   const std::size_t next = some.first + 2 * block_size;
-  const char *reference = reinterpret_cast<const char*>(leeway.reference + next),
-             *margin = reinterpret_cast<const char*>(leeway.margin + next);
-  for (std::size_t at = 0; at < block_size * sizeof(Vec3); at += 64) __builtin_prefetch(reference + at);
-  for (std::size_t at = 0; at < block_size * sizeof(double); at += 64) __builtin_prefetch(margin + at);
+  ask_for(*reinterpret_cast<const Vec3(*)[block_size]>(leeway.reference + next));
+  ask_for(*reinterpret_cast<const double(*)[block_size]>(leeway.margin + next));
 }
 
 static void move_parcels(const PlainStep& given, const SomeParcels& wanted, const Load* load, Parcel* parcels,

@@ -8,8 +8,8 @@
 // tests/math/loop_functions_test.cpp.
 namespace pulvis {
 
-/// Fifth root of a number from 1e-300 to 1e300 (0 gives 0); error below 1.5 ulp. As cube_root: the first
-/// guess divides the exponent, Halley's method does the rest.
+/// Fifth root of a number from 1e-300 to 1e300 (0 gives 0); error below 1.5 ulp. As in inverse_cube_root the
+/// first guess divides the exponent; Halley's method does the rest.
 PULVIS_INLINE double fifth_root(double a) {
   const auto bits = __builtin_bit_cast(std::int64_t, a);
   const auto high = static_cast<std::int32_t>(bits >> 32);

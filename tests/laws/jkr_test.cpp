@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "engine/laws/estimates.hpp"
+#include "engine/laws/normal/jkr.hpp"
 #include "validation/jkr_table.hpp"
 #include "validation/references/law.hpp"
 
@@ -117,6 +118,20 @@ TEST(JkrMemory, ForceIsContinuousBetweenTouchAndRupture) {
     EXPECT_LT(std::fabs(force - previous), 0.02 * laws::jkr_pull_off(c.radius, c.work)) << at;
     previous = force;
   }
+}
+
+TEST(JkrEquation, IsSolvedToRoundingFromRuptureToHardContacts) {
+  using laws::normal::Jkr;
+  for (double power = -60.0; power < 120.0; power += 0.01) {
+    const double s2 = std::pow(10.0, power);
+    double t = Jkr::first_guess(s2);
+    for (int k = 0; k < Jkr::improvements; ++k) t = Jkr::improved(t, s2);
+    long double exact = t;  // Newton's method in more digits, whose steps double them
+    for (int k = 0; k < 3; ++k)
+      exact -= (exact * exact * (exact * (exact + 4) + 6) - s2) / (4 * exact * (exact * (exact + 3) + 3));
+    ASSERT_LE(std::fabs(static_cast<double>(t / exact - 1)), 4e-16) << s2;
+  }
+  EXPECT_EQ(Jkr::improved(Jkr::first_guess(0.0), 0.0), 0.0);
 }
 
 TEST(JkrWithoutAdhesion, IsHertz) {

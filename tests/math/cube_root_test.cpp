@@ -30,6 +30,15 @@ TEST(CubeRoot, AgreesWithLongDoubleToOneUlp) {
   EXPECT_LT(worst, 1.0);
 }
 
+TEST(InverseCubeRoot, AgreesWithLongDoubleToElevenTenthsOfAnUlp) {
+  double worst = 0.0;
+  for (const double a : sample())
+    if (a > 0.0)
+      worst = std::max(
+          worst, error_in_ulp(pulvis::inverse_cube_root(a), 1.0L / std::cbrt(static_cast<long double>(a))));
+  EXPECT_LT(worst, 1.1);
+}
+
 TEST(CubeRoot, IsExactForCubesOfWholeNumbers) {
   for (int i = 0; i <= 1000; ++i) EXPECT_EQ(cube_root(1.0 * i * i * i), i);
 }

@@ -83,7 +83,7 @@ struct Jkr {
     return separation_gap(radius, size_factor(radius), pair);
   }
 
-  // (6) is f(t) = t^4 + 4 t^3 + 6 t^2 - s2 = 0 for t = y - 1 >= 0, with s2 = 3 (1 + delta/delta_c) from 0 to 1e130.
+  // (6) is f(t) = t^4 + 4 t^3 + 6 t^2 - s2 = 0 for t = y - 1 >= 0, with s2 = 3 (1 + delta/delta_c) from 0 to 1e120 (W as small as it gets: 1e42).
   PULVIS_INLINE static double equation(double overlap, double radius, double factor, const Pair& pair) {
     return greatest(overlap + separation_gap(radius, factor, pair), 0.0) * (pair.inverse_stretch * factor);
   }
